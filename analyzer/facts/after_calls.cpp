@@ -2,6 +2,7 @@
 #include "analyzer/facts/after_calls.h"
 
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/program/callers.h"
 
 namespace ncvet {
@@ -26,6 +27,22 @@ bool endsAfter(BlocksAhead ahead, llvm::function_ref<AfterCall(const Block &)> j
   return false;
 }
 
+/// Whether the program itself ends the mode before it relies on it: a call that repeats it comes
+/// back to its first block.
+bool beginsWithEnd(const FileIndex &index, const ProgramInfo &program,
+                   llvm::function_ref<void()> begin,
+                   llvm::function_ref<AfterCall(const Block &)> judge) {
+  begin();
+  Block block;
+  index.read(program.body, block);
+  for (unsigned i = 0; i < lookAhead && block.items.empty(); ++i) {
+    const AfterCall after = block.isEmpty() ? AfterCall::GoesOn : judge(block);
+    if (after != AfterCall::GoesOn || !readOn(index, block))
+      return after == AfterCall::Ends && block.skip < 0;
+  }
+  return false;
+}
+
 bool endsAfterEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin,
                         llvm::function_ref<AfterCall(const Block &)> judge) {
   const ProgramInfo &own = ctx.index().programAt(ctx.block().begin);
@@ -41,7 +58,8 @@ bool endsAfterEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin
     Block block;
     call.unit->index.read(call.block, block);
     begin();
-    return call.once && endsAfter({*call.unit, block}, judge);
+    return endsAfter({*call.unit, block}, judge) &&
+           (call.once || beginsWithEnd(ctx.index(), own, begin, judge));
   });
 }
 

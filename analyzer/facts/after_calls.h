@@ -20,10 +20,10 @@ class AfterCalls {
 public:
   /// Whether the file calls the program that holds the current block, and every call of it by
   /// number is followed, in its own program, by a block that `judge` says to end the mode before
-  /// one that relies on it. A call that repeats the program comes back to the program itself:
-  /// false. `judge` is asked of the blocks after a call in the order of the text; `begin` says
-  /// that a new call is looked at. Blocks that a switch leaves out end nothing. `mode` is all that
-  /// the judgement depends on besides.
+  /// one that relies on it. A call that repeats the program comes back to the program itself, which
+  /// has to end the mode too. `judge` is asked of the blocks after a call in the order of the text;
+  /// `begin` says that a new call is looked at. Blocks that a switch leaves out end nothing. `mode`
+  /// is all that the judgement depends on besides.
   bool allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
               llvm::function_ref<AfterCall(const Block &)> judge) const;
 

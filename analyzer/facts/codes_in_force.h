@@ -36,6 +36,13 @@ inline bool outlivesTool(const MachineState &state) {
   return on.known() && tool.known() && on.file == tool.file && tool.begin > on.begin;
 }
 
+/// Whether the tool was changed while the cycle in force was on already: told there.
+inline bool cycleOutlivesTool(const MachineState &state) {
+  const Origin &on = state.origin.of(StatePart::Cycle);
+  const Origin &tool = state.origin.of(StatePart::Tool);
+  return on.known() && tool.known() && on.file == tool.file && tool.begin > on.begin;
+}
+
 /// Whether X is certainly a diameter: the work turns, and the tool axis is none that goes into it.
 inline bool turnsWork(const Dialect &dialect, const MachineState &state) {
   return state.isActive(dialect, StandardGroup::Diameter,

@@ -195,7 +195,7 @@ void BlockReferences::calledProgram(const CodeWords &words) {
   reference.to = ReferredKind::Program;
   reference.number = call.program;
   reference.runs = !count ? call.runs : isWhole(*count) ? count->mantissa : 0;
-  reference.packed = !macro && !count && dialect_.limits.packedCallDigits;
+  reference.packed = !macro && dialect_.limits.packedCallDigits;
   reference.text = digitsOf(*p);
   if (call.digits && reference.text.size() > call.digits)
     reference.text = reference.text.take_back(call.digits);

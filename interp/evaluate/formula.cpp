@@ -214,6 +214,18 @@ private:
     return set & ~ranges.inch ? Interval::unknown() : Interval::exactly(inch);
   }
 
+  /// The offset in force. One that was switched off before the tool was changed is not that of the
+  /// new tool: the change brings its first edge.
+  Interval edge() const {
+    const MachineState &before = context_.before;
+    const Origin &off = before.origin.of(StatePart::RadiusOffset);
+    const Origin &tool = before.origin.of(StatePart::Tool);
+    if (before.radiusOffset < 0 || (before.radiusOffset == 0 && off.known() && tool.known() &&
+                                    off.file == tool.file && off.begin < tool.begin))
+      return Interval::unknown();
+    return Interval::exactly(before.radiusOffset);
+  }
+
   /// What the state before the block says.
   Interval ofState(const FormulaStep &step) const {
     const MachineState &before = context_.before;
@@ -223,8 +235,7 @@ private:
     case FormulaOp::Tool:
       return before.tool >= 0 ? Interval::exactly(before.tool) : Interval::unknown();
     case FormulaOp::Edge:
-      return before.radiusOffset >= 0 ? Interval::exactly(before.radiusOffset)
-                                      : Interval::unknown();
+      return edge();
     case FormulaOp::Level:
       return place(toolAxis(context_.dialect, before));
     case FormulaOp::Feed:
@@ -251,6 +262,8 @@ private:
 } // namespace
 
 uint64_t elementOf(llvm::StringRef list, double place) {
+  if (list == "#" && place >= 0) // the variables that have a number alone
+    return uint64_t(std::llround(place));
   return variableKey((list + "[" + llvm::Twine(std::llround(place)) + "]").str());
 }
 

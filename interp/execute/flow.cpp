@@ -28,8 +28,7 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
     flow.end = block_.endOf(*p);
     const Interval number = value(*p);
     flow.target = valueOf(number);
-    flow.packed = !macro && dialect_.limits.packedCallDigits && number.isConstant() &&
-                  !block_.has(letterAddress('L'));
+    flow.packed = !macro && dialect_.limits.packedCallDigits && number.isConstant();
     if (!macro && number.isConstant()) {
       const PackedCall call =
           unpackCall(dialect_, int64_t(number.value()), block_.has(letterAddress('L')));

@@ -45,6 +45,10 @@ public:
         continue;
       const Word &word = *words.centre[i];
       if (auto finding = ctx.report(word, certain)) {
+        // The control reads a radius, whatever its settings: beyond its tolerance it stops here.
+        constexpr double greatest = 0.05; // mm
+        if (radiusDifference(*centre, *arc.start, *arc.end) > greatest)
+          finding.severity(Severity::Error);
         finding.message("the arc closes only with half of `{0}`: the control reads the centre "
                         "distance as a radius, not as a diameter",
                         ctx.text(word));

@@ -3,6 +3,7 @@
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
+#include <bit>
 #include <map>
 
 namespace ncvet {
@@ -29,7 +30,7 @@ public:
       return sleepInShape();
     const Interval value = ctx.value(*words.foreign);
     const bool zero = value.isConstant() && value.value() == 0;
-    if (zeroIsSilent_ && zero && words.hasCentre())
+    if (zeroIsSilent_ && zero && words.hasCentre() && !movesOutOfPlane(ctx, words))
       return;
     // With both words of the plane it is a habit of the program's writer: told once a plane.
     const bool complete = words.centre[0] && words.centre[1];
@@ -62,6 +63,19 @@ public:
   }
 
 private:
+  /// `G18`, then `G2 X50. Y20. I10. J0`: the end is one of another plane, as the centre is.
+  static bool movesOutOfPlane(const RuleContext &ctx, const ArcWords &words) {
+    const AddressId foreign = words.foreign->address;
+    if (foreign < letterAddress('I') || foreign > letterAddress('K') ||
+        (words.centre[0] && words.centre[1]) ||
+        !ctx.after().originOf(ctx.dialect(), StandardGroup::Plane).known())
+      return false;
+    constexpr uint16_t space = 7; // X, Y and Z
+    const uint16_t axes = axesOf(ctx.dialect(), ctx.block()) & space;
+    const auto along = uint16_t(1u << (foreign - letterAddress('I')));
+    return (axes & along) && std::popcount(unsigned(axes)) == 2; // a helix has all three
+  }
+
   bool zeroCounts_ = false;   ///< the control stops at a word of value 0 too
   bool zeroIsSilent_ = false; ///< a word of value 0 beside the plane's own changes nothing
 };

@@ -64,7 +64,7 @@ public:
                                 dialect.switchWords | dialect.elementWords;
       if ((mask & alone) || !(mask & dialect.known) || (mask & *taken) ||
           word.address == letterAddress('N') || word.address == letterAddress('O') ||
-          isOffsetOfOther(word, ctx))
+          isOffsetOfOther(word, ctx) || isVariable(word, ctx))
         continue;
       if (auto finding = ctx.report(word))
         finding
@@ -89,6 +89,12 @@ private:
     return ctx.dialect().addresses[word.address].lineLength &&
            llvm::none_of(ctx.codes(),
                          [&](const CodeUse &use) { return isMotion(ctx.code(use).action); });
+  }
+
+  /// `I=I+1` after `DEF INT I`: a name that a variable cannot have is told where it is defined.
+  static bool isVariable(const Word &word, const RuleContext &ctx) {
+    const uint64_t key = variableKey(ctx.dialect().addressName(word.address));
+    return word.has(wordExpression) && ctx.before().locals.given(key) != Truth::No;
   }
 
   uint32_t dataInput_ = 0;        ///< the switch under which every block is data

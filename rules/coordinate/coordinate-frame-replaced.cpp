@@ -20,6 +20,9 @@ public:
         !ctx.before().switchMustBeOn(code.effect.index) || ctx.before().may(Fact::UnknownCode))
       return;
     const Origin &origin = ctx.before().origin.ofSwitch(code.effect.index);
+    // In a loop each pass begins its frames anew.
+    if (isHere(ctx, origin) && origin.begin > event.word->offset)
+      return;
     // The same frame with other values is meant to replace it.
     if (origin.known() && ctx.text(origin.range()).equals_insensitive(ctx.text(*event.word)) &&
         !isOfOtherAxis(origin, ctx))

@@ -365,6 +365,7 @@ private:
       for (const CodeIndex index : codesOf(dialect, block)) {
         const CodeInfo &code = dialect.codes[index];
         if (code.action == Action::CycleCancel ||
+            (code.action == Action::Cycle && code.group != noGroup && code.group == cycle.group) ||
             (code.cancelsCycle && (code.family.empty() || code.family == cycle.family)) ||
             (isMotion(code.action) && !dialect.cycleSurvivesMotion))
           return AfterCall::Ends;

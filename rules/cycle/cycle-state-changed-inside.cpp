@@ -1,5 +1,6 @@
 // A code that is not known to cancel a drilling cycle, while the cycle is active.
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
@@ -48,7 +49,8 @@ public:
     if (event.kind == EventKind::CycleRun && before.cycleActive(ctx.dialect()) == Truth::No)
       return called(event, ctx);
     if (!cycle || cycle->action != Action::Cycle ||
-        !(makesHole(cycle->cycle) || cycle->firesInPlane) || ctx.find({Action::CycleCancel}))
+        !(makesHole(cycle->cycle) || cycle->firesInPlane) || ctx.find({Action::CycleCancel}) ||
+        (cycleOutlivesTool(before) && !ctx.find({Action::Cycle})))
       return;
     if (event.kind == EventKind::Statement)
       return assigned(ctx.block().items[event.item()], *cycle, ctx);

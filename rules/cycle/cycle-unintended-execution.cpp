@@ -1,6 +1,7 @@
 // A block runs the active cycle again although it looks like a retract or a plain move.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -40,7 +41,7 @@ public:
     if (event.kind == EventKind::Motion)
       return machineMove(event, ctx);
     if (event.kind == EventKind::ToolChange) {
-      if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
+      if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes && !cycleOutlivesTool(ctx.before()))
         if (auto finding = ctx.report(event))
           finding
               .message("the tool changes while a modal call is on: the path to the change and back "
@@ -48,7 +49,9 @@ public:
               .note(ctx.before().origin.of(StatePart::Cycle), "the modal call begins here");
       return;
     }
-    if (event.code == noCode || ctx.block().words.empty())
+    // At a change it was told; what the new tool does has the same cause.
+    if (event.code == noCode || ctx.block().words.empty() ||
+        (waits_ && cycleOutlivesTool(ctx.before())))
       return;
     const CodeInfo &code = ctx.code(event);
     if (code.group == noGroup) // a cycle of one block

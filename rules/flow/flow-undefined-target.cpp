@@ -5,10 +5,21 @@
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
-class FlowUndefinedTarget final : public Rule {
+struct FlowUndefinedTargetMemory {
+  /// A jump that was not taken where it was met.
+  struct Untaken {
+    SourceRange place;
+    std::string name;
+  };
+  std::map<std::pair<FileId, uint32_t>, Untaken> untaken; ///< by their place
+};
+
+class FlowUndefinedTarget final : public StatefulRule<FlowUndefinedTargetMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
@@ -32,16 +43,17 @@ public:
     if (flow.kind == FlowKind::Return && ctx.callDepth() == 0 && onlyReturns(ctx))
       return;
     const llvm::StringRef name = ctx.text(ctx.flowRange());
-    auto finding = ctx.report(ctx.flowRange(), event.certain);
+    // What decides may be another value the next time: a later pass, or another parameter at the
+    // head of the program.
+    const SourceRange named = ctx.flowRange();
+    if (flow.condition == Truth::No) {
+      memory().untaken.try_emplace({named.file, named.begin}, Memory::Untaken{named, name.str()});
+      return;
+    }
+    auto finding = ctx.report(named, event.certain);
     if (!finding)
       return;
-    // What decides may be another value the next time: a parameter at the head of the program.
-    if (flow.condition == Truth::No)
-      finding.severity(Severity::Warning)
-          .message("`{0}` leads to a block that is not there: where its condition holds the "
-                   "control stops with an alarm",
-                   name);
-    else if (flow.kind == FlowKind::Contour)
+    if (flow.kind == FlowKind::Contour)
       finding.message("`{0}` is a contour between two labels, and this program does not have both: "
                       "the control stops here",
                       name);
@@ -65,6 +77,16 @@ public:
     else
       finding.message("`{0}` leads to a block that is not there: the control stops with an alarm",
                       name);
+  }
+
+  /// Jumps of which no pass has taken any.
+  void finish(const FileSummary &, RuleContext &ctx) const override {
+    for (const auto &[place, jump] : memory().untaken)
+      if (auto finding = ctx.report(jump.place))
+        finding.severity(Severity::Warning)
+            .message("`{0}` leads to a block that is not there: where its condition holds the "
+                     "control stops with an alarm",
+                     jump.name);
   }
 
   /// Whether the program has a block with this number where a label is looked for.

@@ -99,8 +99,11 @@ private:
   /// same number with the other sign would be the retract.
   static bool outOfCut(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before();
-    const Interval &level = before.fedFrom.get();
+    const Interval &fed = before.fedFrom.get();
     const double from = before.at(Axis::Z).value(), to = ctx.after().at(Axis::Z).value();
+    // Beside the part the tool may have come down at rapid: what tells then is that it leaves.
+    const Interval level =
+        fed.isConstant() || !leavesAtRapid(from, to, ctx) ? fed : Interval::exactly(0);
     if (!event.certain || !level.isConstant() || from >= level.value() ||
         before.may(Fact::AwayFromPart) || !before.must(Fact::CutSinceTool))
       return false;
@@ -114,6 +117,18 @@ private:
                       "other sign",
                       shortLength(ctx, from - to));
     return true;
+  }
+
+  /// Far down from below zero, and on at rapid in the plane.
+  static bool leavesAtRapid(double from, double to, const RuleContext &ctx) {
+    constexpr double far = 10; // mm
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    if (from >= 0 || from - to < far)
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    return ahead.next(next) && (axesOf(ctx.dialect(), next) & plane) &&
+           (findCode(ctx.dialect(), next, {Action::Rapid}) || !hasMotionCode(ctx.dialect(), next));
   }
 
   /// The next block feeds the tool along its axis: the rapid move went down a groove that is cut.

@@ -163,13 +163,18 @@ private:
            (!state.may(Fact::SpeedSet) && !state.may(Fact::SpindleStated) && startsNoSpindle(ctx));
   }
 
-  /// A bar puller or a gripper: the spindle was stopped before its tool was called, and the next
-  /// thing that the program does is a code of the machine's builder.
+  /// A bar puller or a gripper: the spindle was stopped before its tool was called, or it goes to
+  /// the bar by feed per minute, and the next thing that the program does is a code of the chuck or
+  /// of the machine's builder.
   static bool isForHandling(const MachineState &state, const RuleContext &ctx) {
     constexpr unsigned furthest = 6; // blocks
     const Origin &stop = state.origin.of(StatePart::Spindle);
     const Origin &tool = state.origin.of(StatePart::Tool);
-    if (!stop.known() || !tool.known() || stop.file != tool.file || tool.begin < stop.begin)
+    const bool perMinute =
+        ctx.dialect().isLathe() && state.isActive(ctx.dialect(), StandardGroup::FeedMode,
+                                                  {Action::FeedPerMinute}) == Truth::Yes;
+    if (!stop.known() || !tool.known() || stop.file != tool.file ||
+        (tool.begin < stop.begin && !perMinute))
       return false;
     BlocksAhead ahead(ctx);
     Block next;
@@ -178,9 +183,14 @@ private:
         if (word.address != letterAddress('M'))
           continue;
         const CodeIndex code = codeOf(ctx.dialect(), word);
-        return code == noCode || ctx.dialect().codes[code].action == Action::MachineSpecific;
+        return code == noCode || isOfChuck(ctx.dialect().codes[code].action);
       }
     return false;
+  }
+
+  static bool isOfChuck(Action action) {
+    return action == Action::MachineSpecific || action == Action::ChuckOpen ||
+           action == Action::ChuckClose;
   }
 
   /// A hole that the block of the stop itself makes.

@@ -1,5 +1,5 @@
 // A comment that is nothing but a code word, and therefore does nothing.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -16,6 +16,15 @@ llvm::StringRef codeIn(llvm::StringRef comment) {
     digits += llvm::isDigit(c);
   }
   return digits && digits <= 4 ? inner : llvm::StringRef();
+}
+
+/// `T12 M6 (M5)`, `G84 Z-12. (M8)`: the size of a thread, beside the tool that cuts it.
+bool isThread(llvm::StringRef code, const Dialect &dialect, const Block &block) {
+  if (code[0] != 'M' || code[1] == '0')
+    return false;
+  return block.has(letterAddress('T')) || findReading(dialect, block, [](const CodeInfo &info) {
+           return info.action == Action::ToolChange || taps(info.cycle);
+         });
 }
 
 /// True for words of one letter and a number and nothing else.
@@ -86,7 +95,8 @@ private:
     // After an assignment it names a point or a step, as `(P1)` in the line before.
     if (block.isEmpty() || (block.words.empty() && !block.items.empty()) ||
         llvm::none_of(block.comments,
-                      [&](const Comment &c) { return c.begin == open && c.end == end; }))
+                      [&](const Comment &c) { return c.begin == open && c.end == end; }) ||
+        isThread(code, ctx.dialect(), block))
       return;
     if (auto finding = ctx.report(SourceRange{file.source.id(), open, end}))
       finding.message("`{0}` is in a comment: the control does not execute it", code);

@@ -153,9 +153,18 @@ private:
         return;
     }
     for (const Word &word : ctx.block().words)
-      if (lengths_ & maskOf(word.address) && isPointless(word) &&
+      if (lengths_ & maskOf(word.address) && isPointless(word) && !isNoLength(word.address, ctx) &&
           !llvm::is_contained(places, ctx.range(word)))
         places.push_back(ctx.range(word));
+  }
+
+  /// `G84 J4`: the code that takes the word says that it is none.
+  static bool isNoLength(AddressId address, const RuleContext &ctx) {
+    return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      return llvm::any_of(ctx.code(use).words, [&](const WordSpec &spec) {
+        return (spec.any & maskOf(address)) && spec.pointAdvised && !*spec.pointAdvised;
+      });
+    });
   }
 
   /// Arguments of a macro, some of which have a point.

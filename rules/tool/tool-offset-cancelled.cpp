@@ -79,6 +79,8 @@ private:
     if (cuts && !retracts_ && !empty && event.kind == EventKind::Motion &&
         isOfRetract(ctx, ctx.after().origin.of(StatePart::RadiusOffset)))
       return; // tool-length-offset-missing speaks
+    if (cuts && !empty && event.kind == EventKind::CycleRun && isOfToolBefore(ctx))
+      return;
     if (!cuts || event.inMachineCoordinates() || (ctx.after().radiusOffset != 0 && !empty) ||
         state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
         !memory().once.speaks(
@@ -96,6 +98,15 @@ private:
       if (event.kind == EventKind::Motion)
         finding.severity(Severity::Warning);
     }
+  }
+
+  /// A retract switched the edge of the tool before off: the change has brought the new one's
+  /// first.
+  static bool isOfToolBefore(const RuleContext &ctx) {
+    const Origin &off = ctx.before().origin.of(StatePart::RadiusOffset);
+    const Origin &tool = ctx.before().origin.of(StatePart::Tool);
+    return off.known() && tool.known() && off.file == tool.file && off.begin < tool.begin &&
+           isOfRetract(ctx, off);
   }
 
   bool edges_ = false;

@@ -1,5 +1,6 @@
 // Plain flow runs the blocks of a profile that a finishing cycle runs as well.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -24,6 +25,8 @@ public:
             .note(first, "the profile begins here");
       return;
     }
+    if (roughedBefore(flow, first.begin, ctx))
+      return;
     Block block;
     ctx.index().read(first.begin, block);
     SourceRange range{first.file, block.end, block.begin};
@@ -44,6 +47,25 @@ public:
                     "once, and `{2}` of line {3} cuts it again",
               flow.first, flow.last, name, ctx.source().lines().lineOf(ctx.flowRange().begin))
           .note(ctx.flowRange(), "the cycle that runs this profile");
+  }
+
+private:
+  /// The block before the profile begins a cycle that roughs it, and names another end: that is
+  /// told there.
+  static bool roughedBefore(const Flow &flow, uint32_t begin, const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(begin);
+    bool roughs = false;
+    for (const Block &block : blocks(ctx.index(), program.body, begin)) {
+      if (block.isEmpty())
+        continue;
+      const Word *const first = block.find('P');
+      roughs = first && first->isNumber() && first->mantissa == flow.first &&
+               findReading(ctx.dialect(), block, [](const CodeInfo &code) {
+                 return code.cycle == CycleKind::RoughTurn || code.cycle == CycleKind::RoughFace ||
+                        code.cycle == CycleKind::PatternRepeat;
+               });
+    }
+    return roughs;
   }
 };
 

@@ -23,6 +23,13 @@ TEST(HaasNgc, M99WithPJumpsInsideTheRunningProgram) {
               ElementsAre("7 rapid X2", "10 rapid X4", "4 rapid X1", "5 end"));
 }
 
+/// The loop that waits for a key is left: what was typed is not known.
+TEST(HaasNgc, TheOperatorGivesAVariableItsValue) {
+  EXPECT_THAT(traceOf("haas-mill", "O1\nG21 G90\n#501=0\nM109 P501\nIF [#501 EQ 0] GOTO9\n"
+                                   "G0 X1.\nN9 M30\n"),
+              ElementsAre("5 lost: what decides here is not known"));
+}
+
 TEST(HaasNgc, DecimalsOfAVariablesNumberAreRead) {
   EXPECT_THAT(traceOf("haas-mill", "O1\nG21 G90\n#1=#30003.078\nG0 X1.\nM30\n"),
               ElementsAre("4 rapid X1", "5 end"));

@@ -40,6 +40,20 @@ TEST_F(SinumerikReading, TheFirstSpindleIsTheOneWithoutANumber) {
   EXPECT_EQ(block.items.size(), 2u); // of a spindle that the program does not speak of otherwise
 }
 
+TEST_F(SinumerikReading, AChoiceWithoutItsJumpNamesItsTargetAllTheSame) {
+  const Block block = blockOf("CASE(R20) OF 1 SMALL 2 GOTOF LARGE DEFAULT GOTOF ENDING\n");
+  EXPECT_EQ(block.issues.size(), 1u);
+  ASSERT_EQ(block.items.size(), 1u);
+  EXPECT_EQ(block.items[0].arguments, 5u); // two values, three targets
+}
+
+TEST_F(SinumerikReading, ParametersAfterTheAttributesAreReadAllTheSame) {
+  const Block block = blockOf("PROC SLOT SAVE (REAL LENGTH, REAL DEPTH)\n");
+  EXPECT_EQ(block.issues.size(), 1u);
+  ASSERT_EQ(block.items.size(), 1u);
+  EXPECT_EQ(block.items[0].arguments, 2u);
+}
+
 TEST_F(SinumerikReading, HeadersNameTheProgram) {
   const auto blocks = blocksOf("%_N_SHAFT_MPF\n;$PATH=/_N_MPF_DIR\n%GROOVE_SPF\n%\n");
   ASSERT_EQ(blocks.size(), 4u);

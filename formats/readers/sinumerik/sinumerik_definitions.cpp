@@ -213,6 +213,28 @@ Argument SinumerikScanner::scanParameter(char separator) {
   return parameter;
 }
 
+/// `(REAL A, INT B=1, VAR REAL C)`
+void SinumerikScanner::scanParameterList(Item &item, const char *begin) {
+  ++at_;
+  skipBlanks();
+  for (char separator = 0; !atBlockEnd() && *at_ != ')'; separator = ',') {
+    const char *const from = at_;
+    const Argument parameter = scanParameter(separator);
+    block_.arguments.push_back(parameter);
+    ++item.arguments;
+    if (parameter.type == VariableType::None)
+      issue(SyntaxIssueKind::BadStatement, from, std::max(from + 1, at_));
+    if (at_ == from || at_ == end_ || *at_ != ',')
+      break;
+    ++at_;
+    skipBlanks();
+  }
+  if (at_ < end_ && *at_ == ')')
+    ++at_;
+  else
+    issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+}
+
 /// `PROC NAME(REAL A, INT B=1, VAR REAL C) SAVE`, `EXTERN NAME(REAL, VAR INT)`
 void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
   Item item = itemAt(kind, begin);
@@ -226,32 +248,21 @@ void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
     return add(item);
   }
   skipBlanks();
-  if (at_ < end_ && *at_ == '(') {
-    ++at_;
-    skipBlanks();
-    for (char separator = 0; !atBlockEnd() && *at_ != ')'; separator = ',') {
-      const char *const from = at_;
-      const Argument parameter = scanParameter(separator);
-      block_.arguments.push_back(parameter);
-      ++item.arguments;
-      if (parameter.type == VariableType::None)
-        issue(SyntaxIssueKind::BadStatement, from, std::max(from + 1, at_));
-      if (at_ == from || at_ == end_ || *at_ != ',')
-        break;
-      ++at_;
-      skipBlanks();
-    }
-    if (at_ < end_ && *at_ == ')')
-      ++at_;
-    else
-      issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
-  }
+  if (at_ < end_ && *at_ == '(')
+    scanParameterList(item, begin);
   // Attributes; only SAVE matters to the caller.
   while (!atBlockEnd()) {
     const llvm::StringRef attribute = identifier();
     if (attribute.empty()) {
-      if (*at_ == '(') // the list comes before the attributes
+      if (*at_ == '(') { // the list comes before the attributes
         issue(SyntaxIssueKind::BadStatement, at_, at_ + 1);
+        if (!item.arguments) {
+          const size_t told = block_.issues.size();
+          scanParameterList(item, begin);
+          block_.issues.resize(told);
+          continue;
+        }
+      }
       ++at_;
       continue;
     }

@@ -131,6 +131,11 @@ void SinumerikScanner::scanTarget(Item &item) {
   ++item.arguments;
 }
 
+/// Whether it can be the name of a label: two letters or more at its begin.
+static bool isLabelName(llvm::StringRef name) {
+  return name.size() > 1 && llvm::isAlpha(name[0]) && (llvm::isAlpha(name[1]) || name[1] == '_');
+}
+
 /// `CASE(R1) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C`: the last letter of each jump is used as the
 /// separator of its target.
 void SinumerikScanner::scanCase(const char *begin) {
@@ -166,6 +171,12 @@ void SinumerikScanner::scanCase(const char *begin) {
     const Keyword jump = sinumerikKeyword(identifier());
     if (!isJump(jump)) {
       issue(SyntaxIssueKind::BadStatement, begin, at_);
+      if (isLabelName(identifier())) { // `1 SMALL`: the jump is missing, its target is here
+        scanTarget(item);
+        if (!last)
+          continue;
+        break;
+      }
       rest();
       if (item.arguments % 2 && !last) {
         block_.arguments.pop_back();

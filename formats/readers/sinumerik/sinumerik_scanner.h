@@ -129,6 +129,7 @@ private:
   void scanDefinitions(const char *keyword);
   Argument scanParameter(char separator);
   void scanParameters(ItemKind kind, const char *begin);
+  void scanParameterList(Item &item, const char *begin);
   void scanRedefinition(const char *begin);
   void scanMacro(const char *begin);
 
