@@ -49,13 +49,27 @@ WordTopic topicOfMissing(const CodeInfo &code, const WordSpec &spec) {
   return topic == WordTopic::Peck && spec.variable ? WordTopic::Cycle : topic;
 }
 
+namespace {
+
+/// `CYCLE81(110,,2,-35)`: an empty place in a list of arguments has the value that the table says.
+bool isZeroByRule(const WordSpec &spec, const Event &event, const RuleContext &ctx) {
+  if (!spec.position || spec.absent != 0. || !event.word)
+    return false;
+  return llvm::any_of(ctx.block().items, [&](const Item &item) {
+    return item.kind == ItemKind::Instruction && item.begin == event.word->offset &&
+           spec.position < item.arguments;
+  });
+}
+
+} // namespace
+
 llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Event &event) {
   llvm::SmallVector<MissingWord, 2> missing;
   const CodeInfo &code = ctx.code(event);
   for (const WordSpec &spec : code.words) {
     if (spec.need == Need::Optional || wordFor(ctx.block(), spec))
       continue;
-    if (!holds(spec.when, &code, ctx.conditions()))
+    if (!holds(spec.when, &code, ctx.conditions()) || isZeroByRule(spec, event, ctx))
       continue;
     if (spec.need != Need::Here && givenBefore(spec, ctx.after()) != Truth::No)
       continue; // set by a block before, or who knows

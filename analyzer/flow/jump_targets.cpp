@@ -21,9 +21,13 @@ void JumpTargets::anywhere(const Step &step) {
   if (all.size() > maxComputedTargets)
     return tooMany(step);
   const std::vector<NumberedBlock> targets(all.begin(), all.end());
+  // A menu leads to some of them, after which the program states what it needs: in which state it
+  // would come to the others is no matter.
+  Live there = step.live;
+  there.state = unknownState(*step.unit().dialect);
   for (const NumberedBlock &target : targets) {
     run_.used.numbers.insert(target.number);
-    loops_.goTo(step, target.offset, step.live, false);
+    loops_.goTo(step, target.offset, there, false);
   }
 }
 

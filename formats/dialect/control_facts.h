@@ -254,6 +254,8 @@ struct SpindleFacts {
   bool inRevolutions = false;
   /// Other codes than those of tapping also stop the spindle.
   bool stoppedByCodes = false;
+  /// Programs turn other spindles too, one of which may be the one that cuts.
+  bool others = false;
   /// Variables of the control that hold the greatest speed of the spindle.
   std::vector<std::string> limitVariables;
 };

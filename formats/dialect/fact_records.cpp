@@ -260,6 +260,8 @@ constexpr Field spindleFields[] = {
     flag<&SpindleFacts::inRevolutions>("inRevolutions", "every S is a speed in revolutions"),
     flag<&SpindleFacts::stoppedByCodes>("stoppedByCodes",
                                         "other codes than those of tapping also stop the spindle"),
+    flag<&SpindleFacts::others>(
+        "others", "programs turn other spindles too, one of which may be the one that cuts"),
     field<&SpindleFacts::limitVariables>(
         "limitVariables", texts,
         "variables of the control that hold the greatest speed of the spindle",

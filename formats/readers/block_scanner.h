@@ -11,7 +11,9 @@ namespace ncvet {
 
 /// Blanks of a line that every control passes over.
 constexpr bool isLineBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f';
+  // DC1 to DC4 start and stop a serial line, and no control reads them.
+  return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f' ||
+         (c >= '\x11' && c <= '\x14');
 }
 
 /// A letter of an address.

@@ -55,7 +55,11 @@ void Execution::compensationOff(const CodeUse &) {
 }
 
 void Execution::lengthOn(const CodeUse &use) {
-  state_.set(Fact::LengthSinceTool);
+  // `G43 H0` takes none.
+  const Word *const number = block_.find('H');
+  const Interval offset = number ? value(*number) : Interval::unknown();
+  if (!offset.isConstant() || offset.value() != 0 || dialect_.isLathe())
+    state_.set(Fact::LengthSinceTool);
   state_.origin.set(StatePart::LengthOffset, originOf(*use.word));
   lengthOff(use);
 }

@@ -429,7 +429,8 @@ void Execution::unknownCode(const Word &word) {
   if (word.address == letterAddress('M')) {
     // The machine's builder knows what it does: it may start or stop anything.
     state_.spindle = spindleAny;
-    state_.liveTool = spindleAny;
+    if (!hasOneSpindle(dialect_))
+      state_.liveTool = spindleAny;
     state_.clear(Fact::SpindleStoppedByTap);
     stateUse.everything();
     const uint32_t modes = switchesOfG(dialect_);

@@ -120,8 +120,9 @@ void Execution::offsetWord(const Word &word, AddressMask ofCycle) {
   const int32_t offset =
       number.isConstant() && std::fabs(number.value()) < 1e6 ? int32_t(number.value()) : notKnown;
   // A new H while the length offset is on is taken at once.
-  if (!isD && state_.isActive(dialect_, StandardGroup::LengthOffset,
-                              {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)
+  if (!isD && (offset != 0 || dialect_.isLathe()) &&
+      state_.isActive(dialect_, StandardGroup::LengthOffset,
+                      {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)
     state_.set(Fact::LengthSinceTool);
   if (isD)
     state_.radiusOffset = offset;
@@ -206,7 +207,8 @@ void Execution::orientSpindle(const CodeUse &use) {
 /// The machine's builder knows what the code does.
 void Execution::turnAnything(const CodeUse &) {
   state_.spindle = spindleAny;
-  state_.liveTool = spindleAny;
+  if (!hasOneSpindle(dialect_))
+    state_.liveTool = spindleAny;
   state_.clear(Fact::SpindleStoppedByTap);
 }
 
@@ -273,6 +275,8 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
     state_.setGroup(dialect_.lengthByTool, groupUnset);
   state_.fedFrom.forget();
   state_.cutArea.clear();
+  if (!dialect_.isLathe() && state_.liveTool == spindleAny)
+    state_.liveTool = spindleOff; // what another spindle turned was the old tool
   if (dialect_.isLathe()) {
     // Another offset: the same place has other coordinates.
     if (offset != state_.toolOffset || offset == notKnown)

@@ -1,6 +1,8 @@
 // The machine's state at one point of a program, as far as it is known.
 #include "interp/state/state.h"
 
+#include "formats/dialect/control_facts.h"
+
 #include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/bit.h"
 #include "llvm/Support/xxhash.h"
@@ -237,6 +239,10 @@ MachineState initialState(const Dialect &dialect) {
   return state;
 }
 
+bool hasOneSpindle(const Dialect &dialect) {
+  return !dialect.isLathe() && !dialect.facts->spindle.others;
+}
+
 MachineState unknownState(const Dialect &dialect) {
   MachineState state;
   for (size_t i = 0; i < maxGroups; ++i) {
@@ -252,9 +258,12 @@ MachineState unknownState(const Dialect &dialect) {
   state.lengthOffset = notKnown;
   state.radiusOffset = notKnown;
   state.spindle = spindleAny;
-  state.liveTool = spindleAny;
+  state.liveTool = hasOneSpindle(dialect) ? spindleOff : spindleAny;
   state.compensation = phaseAny;
   state.switches.may = ~0u;
+  for (size_t i = 0; i < dialect.switches.size(); ++i) // nobody leaves it on for others
+    if (dialect.switches[i].id == "data-input")
+      state.switches.may &= ~(1u << i);
   state.switches.axes.fill(0xFFFF);
   state.roughFirst = state.roughLast = notKnown;
   if (dialect.callsModally)

@@ -357,6 +357,8 @@ struct MachineState : KnownState {
 MachineState initialState(const Dialect &dialect);
 /// State on entry of a program whose caller is not known: everything is possible.
 MachineState unknownState(const Dialect &dialect);
+/// Whether the machine has the one spindle that its M codes turn, as far as the control tells.
+bool hasOneSpindle(const Dialect &dialect);
 
 /// Exact equality of what the two states say.
 bool equal(const KnownState &a, const KnownState &b);

@@ -170,6 +170,8 @@ private:
     const bool marked = bracket && (block.hasLabel() || block.skip >= 0);
     if (block.words.empty() && block.items.size() == 1 && !marked)
       return;
+    if (item.kind == ItemKind::Call && looksLikeWord(item, ctx) && mayBeMacro(item, ctx))
+      return mistypedWord(range, ctx);
     if (auto finding = ctx.report(range))
       // A name that no program in sight has may be a macro of the machine's builder.
       finding
@@ -191,6 +193,26 @@ private:
              (index == 0 || block.items[index - 1].kind != ItemKind::If);
     return item.kind == ItemKind::Structure ||
            (item.kind == ItemKind::Call && !item.modal && !isMacro(item, ctx));
+  }
+
+  /// `Zl00`, `XX20` beside words: the letter of an axis, and a number that a letter spoils.
+  static bool looksLikeWord(const Item &call, const RuleContext &ctx) {
+    const std::string name =
+        ctx.text(SourceRange{ctx.source().id(), call.nameBegin, call.nameEnd}).upper();
+    if (name.size() < 3 || !llvm::StringRef("XYZABCIJK").contains(name[0]) ||
+        !llvm::isDigit(name.back()) || !ctx.block().hasAny(ctx.dialect().known))
+      return false;
+    return llvm::all_of(llvm::StringRef(name).drop_front(), [&](char c) {
+      return llvm::isDigit(c) || c == name[0] || c == 'L' || c == 'I' || c == 'O';
+    });
+  }
+
+  static void mistypedWord(SourceRange range, RuleContext &ctx) {
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is a name, where a word of an axis is due: the control stops unless the "
+                   "machine has a macro of that name",
+                   ctx.text(range));
   }
 
   /// A bare name, and no program of it is known: definitions of the machine may have it as words.

@@ -1,4 +1,5 @@
 // Codes that must not be used while radius compensation is on.
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/preprocessor_reads.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -35,7 +36,8 @@ public:
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     if (active == Truth::No)
       return sleepInShape();
-    if (!ctx.after().origin.of(StatePart::Compensation).known() || !disturbs(code, ctx))
+    if (!ctx.after().origin.of(StatePart::Compensation).known() || !disturbs(code, ctx) ||
+        outlivesTool(ctx.before()))
       return;
     const bool wasOn = ctx.before().compensationActive(ctx.dialect()) != Truth::No;
     // Switched on in this very block: a unit or an offset comes before the move.

@@ -37,6 +37,10 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    // It was told where the first of several tools came.
+    const bool atTool = event.kind == EventKind::ToolChange || event.kind == EventKind::OffsetWord;
+    if ((atTool || event.kind == EventKind::ProgramEnd) && outlivesTool(ctx.before()))
+      return;
     switch (event.kind) {
     case EventKind::CycleRun:
       rememberProfile(ctx);

@@ -199,6 +199,9 @@ private:
                      }) &&
         (!off || nextMovesInPlane(ctx)))
       return;
+    // The end of a soft approach may be where the next block begins.
+    if (!off && ctx.find({Action::SoftApproach}) && nextMovesInPlane(ctx))
+      return;
     const bool certain = after == waiting && (off ? before == phaseOn : !(before & phaseOn));
     auto finding = ctx.report(event, certain);
     if (!finding)

@@ -191,8 +191,12 @@ private:
     if (event.motion == MotionKind::Rapid && absolute)
       return unstated(event, ctx);
     if (auto finding = ctx.report(event))
-      finding.message("a contour begins with a straight block of G90 and G0, which says where its "
-                      "start is");
+      // With G1 newer versions of the control take it.
+      finding
+          .severity(event.motion == MotionKind::Feed && absolute ? std::optional(Severity::Warning)
+                                                                 : std::nullopt)
+          .message("a contour begins with a straight block of G90 and G0, which says where its "
+                   "start is");
   }
 };
 

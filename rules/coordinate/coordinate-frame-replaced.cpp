@@ -27,6 +27,8 @@ public:
     if (origin.known() && ctx.text(origin.range()).equals_insensitive(ctx.text(*event.word)) &&
         !isOfOtherAxis(origin, ctx))
       return;
+    if (beganAlike(code, ctx))
+      return;
     if (auto finding = ctx.report(event))
       finding
           .message("`{0}` deletes the frame that is in force: a frame on top of it is `A{0}`",
@@ -35,6 +37,23 @@ public:
   }
 
 private:
+  /// The frames in force began with the same code: the next place of a part begins anew, as
+  /// `TRANS`, `AROT` and `TRANS` again.
+  static bool beganAlike(const CodeInfo &code, const RuleContext &ctx) {
+    constexpr unsigned furthest = 200; // blocks
+    Block block;
+    bool added = false;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block)) {
+      const CodeInfo *const frame =
+          findCode(ctx.dialect(), block, {Action::FrameSet, Action::FrameAdd, Action::FrameClear});
+      if (frame && frame->action != Action::FrameAdd)
+        return added && frame->name == code.name;
+      added |= frame != nullptr;
+    }
+    return false;
+  }
+
   /// The block before gives the same frame for another axis, and nothing has moved in it.
   static bool isOfOtherAxis(const Origin &origin, const RuleContext &ctx) {
     Block previous;

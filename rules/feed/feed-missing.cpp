@@ -51,6 +51,8 @@ public:
                        code.name);
       return;
     }
+    if (isNoWay(event, ctx))
+      return;
     // Only the first cut: it is the same mistake in all that follow.
     if (!memory().once.speaks(ctx.after().origin.of(StatePart::Feed), ctx))
       return;
@@ -62,6 +64,17 @@ public:
   }
 
 private:
+  /// Increments of 0 that only name the axes: `G01 G18 W0 H0`.
+  static bool isNoWay(const Event &event, const RuleContext &ctx) {
+    if (event.kind != EventKind::Motion || !ctx.block().hasAny(ctx.dialect().axisWords))
+      return false;
+    return llvm::all_of(ctx.block().words, [&](const Word &word) {
+      return !(ctx.dialect().axisWords & maskOf(word.address)) ||
+             (word.isNumber() && word.mantissa == 0 &&
+              (ctx.dialect().incrementWords & maskOf(word.address)));
+    });
+  }
+
   /// Turning goes on at the F of a thread, which is its lead and no feed for a cut.
   void leadAsFeed(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     const MachineState &after = ctx.after();

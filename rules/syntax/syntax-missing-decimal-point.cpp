@@ -45,7 +45,10 @@ public:
     if (lengths_)
       collect(ctx);
     for (const Word &word : ctx.block().words) {
-      const bool pointless = isPointless(word);
+      // `Q3000`: counted in the least increment on purpose.
+      const bool increments =
+          word.address == letterAddress('Q') && word.mantissa >= leastIncrements;
+      const bool pointless = isPointless(word) && !increments;
       if (!pointless || (lengths_ & maskOf(word.address)) ||
           !(ctx.dialect().pointAdvised & maskOf(word.address)) || !advised(word.address, ctx))
         continue;
@@ -107,7 +110,8 @@ public:
   }
 
 private:
-  static constexpr size_t enough = 20; ///< that many are kept
+  static constexpr int64_t leastIncrements = 100; ///< of a depth that is meant so
+  static constexpr size_t enough = 20;            ///< that many are kept
 
   /// The first speaks for the others of its block.
   static bool areOfOneBlock(const SourceRange &first, const SourceRange &other,
@@ -149,7 +153,8 @@ private:
           code.action == Action::Dwell || code.action == Action::PathMode ||
           code.action == Action::CallProgram || code.action == Action::None ||
           code.action == Action::ScalingOn || code.action == Action::CallLocal ||
-          (code.action == Action::Cycle && code.group == noGroup) || code.letter == 'M')
+          (code.action == Action::Cycle && code.group == noGroup) ||
+          (code.letter == 'M' && (code.takes || !code.words.empty())))
         return;
     }
     for (const Word &word : ctx.block().words)

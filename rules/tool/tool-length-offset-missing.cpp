@@ -2,13 +2,13 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/retracted_offset.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <cstring>
 #include <map>
-#include <string_view>
 
 namespace ncvet {
 namespace {
@@ -48,12 +48,19 @@ public:
         event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
         event.motion == MotionKind::Skip)
       return sleepInShape();
-    // Cancelled on purpose in this block, on the retract.
-    if (ctx.find({Action::LengthOff}))
+    // Cancelled on purpose in this block, on the retract; up to the height of the change.
+    if (ctx.find({Action::LengthOff}) || leadsUp(event, ctx))
       return;
     const bool certain =
         event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
     const Origin &origin = state.origin.of(StatePart::Tool);
+    // `G43 H0`: where all tools have it, their lengths are in the zero point.
+    const bool zero =
+        state.lengthOffset == 0 &&
+        state.isActive(ctx.dialect(), StandardGroup::LengthOffset,
+                       {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes;
+    if (zero && !namesLengths(ctx))
+      return;
     if (!memory().once.maySpeak(origin, ctx) || isMeasured(ctx) || isBeingMeasured(origin, state) ||
         !memory().once.speaks(origin, ctx))
       return;
@@ -69,12 +76,30 @@ public:
           .message("the tool moves along its axis before its length offset is on: it goes too deep "
                    "by its length")
           .note(origin, "the tool is changed here");
-      if (!uses)
+      if (zero)
+        finding.severity(Severity::Warning);
+      else if (!uses)
         finding.severity(first ? Severity::Style : Severity::Warning);
     }
   }
 
 private:
+  /// Whether the file has an H other than 0.
+  static bool namesLengths(const RuleContext &ctx) {
+    for (const Block &block : blocks(ctx.index().reader()))
+      if (const Word *const length = block.find(letterAddress('H'));
+          length && length->isNumber() && length->value() != 0)
+        return true;
+    return false;
+  }
+
+  /// The block of the change itself leads up, at rapid.
+  static bool leadsUp(const Event &event, const RuleContext &ctx) {
+    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
+    return event.motion == MotionKind::Rapid && ctx.find({Action::ToolChange}) &&
+           from.isConstant() && to.isConstant() && to.value() > from.value();
+  }
+
   bool retracts_ = false; ///< D0 takes the length away, and a retract has left it in force
 
   /// `SUPA G0 Z500 D0`, and a cut without D1.
@@ -144,7 +169,14 @@ private:
   /// The library's search goes from one first letter to the next, several times as fast as LLVM's,
   /// which matters in a long text.
   static bool holds(llvm::StringRef text, llvm::StringRef word) {
-    return std::string_view(text).find(std::string_view(word)) != std::string_view::npos;
+    for (const std::string &spelling : {word.str(), word.lower()})
+      for (size_t at = text.find(spelling); at != llvm::StringRef::npos;
+           at = text.find(spelling, at + 1)) {
+        const llvm::StringRef before = text.take_front(at).rsplit('\n').second;
+        if (before.count('(') <= before.count(')'))
+          return true; // in no comment
+      }
+    return false;
   }
 };
 

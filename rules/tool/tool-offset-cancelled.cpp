@@ -1,5 +1,7 @@
 // Work with a tool whose offset is cancelled.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/retracted_offset.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -42,12 +44,42 @@ public:
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding
+          .severity(isSlip(state.tool, ctx) && goesOnToCut(ctx) ? std::optional(Severity::Warning)
+                                                                : std::nullopt)
           .message("tool {0} moves without an offset: its length, nose radius and tip are missing",
                    int(state.tool))
           .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 
 private:
+  /// Other stations of the file are called with the offsets of their own numbers, this one never.
+  static bool isSlip(int32_t tool, const RuleContext &ctx) {
+    constexpr unsigned habit = 2; // stations
+    unsigned own = 0;
+    for (const Block &block : blocks(ctx.index().reader())) {
+      const Word *const word = block.find(letterAddress('T'));
+      if (!word || !word->isNumber() || word->value() < 100 || word->value() > 9999)
+        continue;
+      const auto whole = int32_t(word->value());
+      if (whole / 100 == tool && whole % 100 != 0)
+        return false;
+      own += whole / 100 == whole % 100;
+    }
+    return own >= habit;
+  }
+
+  /// The next moves cut, before another tool or offset is called.
+  static bool goesOnToCut(const RuleContext &ctx) {
+    constexpr unsigned furthest = 12; // blocks
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next) && !next.has(letterAddress('T')); ++i)
+      if (findCode(ctx.dialect(), next,
+                   {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Thread, Action::Cycle}))
+        return true;
+    return false;
+  }
+
   /// The length of the tool is switched off, and its axis moves.
   void withoutLength(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();

@@ -63,6 +63,9 @@ public:
     // A tool's own edges are numbered from 1; an H still names a tool of the table.
     if (ctx.dialect().offsetsOfTool && word.address != letterAddress('H'))
       return;
+    // An offset that is added is another one by its nature.
+    if (ctx.find({Action::LengthAdd}))
+      return;
     const int32_t tool = state.tool != notSet ? state.tool : state.preselected;
     if (!event.offset().isConstant() || tool <= 0 || event.offset().value() == 0 ||
         event.offset().value() == tool ||
