@@ -76,7 +76,7 @@ TEST(Colours, OfTreeSitterAreThoseOfTheServer) {
   });
 }
 
-/// What tree-sitter would refuse is looked for without it. With it, each grammar is made a parser.
+/// What tree-sitter would refuse is looked for without it.
 TEST(Colours, GrammarsOfTreeSitterAreOnesThatItTakes) {
   if (!llvm::sys::findProgramByName("node"))
     GTEST_SKIP() << "there is no Node";
@@ -87,14 +87,6 @@ TEST(Colours, GrammarsOfTreeSitterAreOnesThatItTakes) {
                      log, 60),
             0);
   expectDone(log);
-  if (!llvm::sys::findProgramByName("tree-sitter"))
-    return;
-  for (const auto &entry : fs::directory_iterator(grammars)) {
-    const fs::path copy = temporary.path() / entry.path().filename();
-    fs::copy(entry.path(), copy, fs::copy_options::recursive);
-    EXPECT_EQ(runOuter({"env", "-C", copy.string(), "tree-sitter", "generate"}, log, 300), 0)
-        << contentsOf(log);
-  }
 }
 
 /// The group of syntax at the first byte of each word of a line, by Neovim with its set-up.
