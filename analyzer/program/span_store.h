@@ -33,41 +33,60 @@ struct RunPlace {
   }
 };
 
-/// Runs that do not overlap. They stay where they are in memory.
+/// Runs that do not overlap, and of each place the one that was there before: who takes an edit
+/// back finds what was known. Runs stay where they are in memory.
 template <typename Run>
 class RunStore {
 public:
-  void clear() { runs_.clear(); }
+  void clear() {
+    runs_.clear();
+    earlier_.clear();
+  }
   /// The run that begins at `offset`, or null.
   const Run *find(uint32_t offset) const {
-    const auto at = from(offset);
-    return at == runs_.end() || (*at)->begin != offset ? nullptr : at->get();
+    const auto at = from(runs_, offset);
+    return isAt(runs_, at, offset) ? at->get() : nullptr;
   }
   Run *find(uint32_t offset) {
-    const auto at = from(offset);
-    return at == runs_.end() || (*at)->begin != offset ? nullptr : at->get();
+    const auto at = from(runs_, offset);
+    return isAt(runs_, at, offset) ? at->get() : nullptr;
   }
   /// Begin of the first run at `offset` or after it; `~0u`: there is none.
   uint32_t next(uint32_t offset) const {
-    const auto at = from(offset);
+    const auto at = from(runs_, offset);
     return at == runs_.end() ? ~0u : (*at)->begin;
   }
   /// Runs that begin inside of the new one have been overtaken.
-  void insert(Run run) {
-    const auto first = from(run.begin), last = from(std::max(run.end, run.begin + 1));
-    const auto at = runs_.erase(first, last);
-    runs_.insert(at, std::make_unique<Run>(std::move(run)));
-  }
+  void insert(Run run) { insert(std::make_unique<Run>(std::move(run))); }
   void erase(uint32_t offset) {
-    const auto at = from(offset);
-    if (at != runs_.end() && (*at)->begin == offset)
+    const auto at = from(runs_, offset);
+    if (isAt(runs_, at, offset))
       runs_.erase(at);
+  }
+  /// The run at `offset` is not the one that is wanted: it becomes the earlier one, and the one
+  /// that was that takes its place, if it `fits`. The run that is there then, or null.
+  template <typename Fits>
+  Run *exchange(uint32_t offset, Fits fits) {
+    const auto at = from(runs_, offset);
+    auto before = from(earlier_, offset);
+    if (!isAt(earlier_, before, offset))
+      before = earlier_.insert(before, nullptr);
+    std::swap(*at, *before);
+    if (*at && fits(**at)) {
+      Owned fitting = std::move(*at);
+      runs_.erase(at);
+      return insert(std::move(fitting));
+    }
+    runs_.erase(at);
+    return nullptr;
   }
   /// Runs of which `spoils` says so are forgotten; it moves the others.
   template <typename Spoils>
   void edit(Spoils spoils) {
-    runs_.erase(std::remove_if(runs_.begin(), runs_.end(), [&](auto &run) { return spoils(*run); }),
-                runs_.end());
+    for (Runs *runs : {&runs_, &earlier_})
+      runs->erase(
+          std::remove_if(runs->begin(), runs->end(), [&](auto &run) { return spoils(*run); }),
+          runs->end());
   }
   uint64_t blocks() const { ///< with content, in all runs
     uint64_t blocks = 0;
@@ -77,16 +96,26 @@ public:
   }
 
 private:
-  auto from(uint32_t offset) const {
-    return std::lower_bound(runs_.begin(), runs_.end(), offset,
+  using Owned = std::unique_ptr<Run>;
+  using Runs = std::vector<Owned>; ///< by begin
+
+  template <typename Of>
+  static auto from(Of &runs, uint32_t offset) {
+    return std::lower_bound(runs.begin(), runs.end(), offset,
                             [](const auto &run, uint32_t o) { return run->begin < o; });
   }
-  auto from(uint32_t offset) {
-    return std::lower_bound(runs_.begin(), runs_.end(), offset,
-                            [](const auto &run, uint32_t o) { return run->begin < o; });
+  template <typename At>
+  static bool isAt(const Runs &runs, At at, uint32_t offset) {
+    return at != runs.end() && (*at)->begin == offset;
+  }
+  Run *insert(Owned run) {
+    const auto first = from(runs_, run->begin),
+               last = from(runs_, std::max(run->end, run->begin + 1));
+    const auto at = runs_.erase(first, last);
+    return runs_.insert(at, std::move(run))->get();
   }
 
-  std::vector<std::unique_ptr<Run>> runs_; ///< by begin
+  Runs runs_, earlier_;
 };
 
 } // namespace ncvet

@@ -89,8 +89,8 @@ const StraightRun *RunTrack::find(uint32_t offset, const MachineState &state, co
   const StraightRun *run = runs_->find(offset);
   if (!run || run->begins(state, plain, memory))
     return run;
-  runs_->erase(offset);
-  return nullptr;
+  return runs_->exchange(
+      offset, [&](const StraightRun &earlier) { return earlier.begins(state, plain, memory); });
 }
 
 void RunTrack::takeOver(const StraightRun &run, MachineState &state, PlainRun &plain,

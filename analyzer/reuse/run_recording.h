@@ -39,8 +39,8 @@ public:
   void keep();
   void drop() { run_.reset(); }
 
-  /// The run that begins at `offset` when it does the same from here, or null: then it is
-  /// forgotten.
+  /// The run that begins at `offset` when it does the same from here, or the one that was there
+  /// before it, or null.
   const StraightRun *find(uint32_t offset, const MachineState &state, const PlainRun &plain,
                           const RuleMemory &memory);
   /// Takes over what `run`, which `find` has found, does. Runs that follow each other become one:
