@@ -84,8 +84,7 @@ void writeTextJson(const SourceFile &file, llvm::ArrayRef<TextColour> colours, s
   TextWriter writer(file, colours, out);
   const uint32_t size = uint32_t(file.text().size());
   bool isCut = false;
-  for (uint32_t line = 1, begin = file.textBegin(); begin < size && !isCut;
-       begin = std::max(file.lines().beginOfLine(++line), begin)) {
+  for (uint32_t begin = file.textBegin(); begin < size && !isCut;) {
     const uint32_t end = file.lines().lineEnd(begin);
     const size_t cost = std::min(end - begin, longestPageLine) + 1;
     isCut = cost > budget;
@@ -93,8 +92,7 @@ void writeTextJson(const SourceFile &file, llvm::ArrayRef<TextColour> colours, s
       break;
     budget -= cost;
     writer.line(begin, end);
-    if (end >= size)
-      break;
+    begin = end + (file.text().substr(end).startswith("\r\n") ? 2 : 1);
   }
   out << "\",\"cut\":" << (isCut ? "true" : "false") << ",\"colours\":\"" << writer.colours()
       << "\"}";

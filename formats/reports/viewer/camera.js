@@ -39,6 +39,7 @@ class Camera {
     this.axes = standardViews.corner.map((axis) => [...axis]);
     this.target = [0, 0, 0];
     this.scale = 1; // pixels for each millimetre
+    this.isFitted = false; // all is shown, and nobody has looked elsewhere since
   }
 
   look(axes) {
@@ -53,12 +54,14 @@ class Camera {
   }
 
   pan(right, down) {
+    if (right || down) this.isFitted = false;
     for (let i = 0; i < 3; ++i)
       this.target[i] -= (right * this.axes[0][i] - down * this.axes[1][i]) / this.scale;
   }
 
   /** Keeps the point at that distance (pixels) from the middle where it is. */
   zoom(factor, right, down) {
+    this.isFitted = false;
     const scale = Math.min(1e6, Math.max(1e-6, this.scale * factor)),
       shift = 1 / this.scale - 1 / scale;
     for (let i = 0; i < 3; ++i)
@@ -80,6 +83,7 @@ class Camera {
         2 * this.axes[row].reduce((sum, x, axis) => sum + Math.abs(x) * half[axis], 0)
       );
     this.scale = 0.86 * Math.min(width / reach(0), height / reach(1));
+    this.isFitted = true;
   }
 
   /** Rows that make pixels from the middle of a place: right, up, and depth in pixels. */

@@ -165,7 +165,7 @@ class PathPane {
       canvas.width = Math.max(1, Math.round(this.width * ratio));
       canvas.height = Math.max(1, Math.round(this.height * ratio));
     }
-    if (hadSize) this.refresh();
+    if (hadSize && !this.camera.isFitted) this.refresh();
     else this.fit();
   }
 
