@@ -6,7 +6,7 @@
 #include "analyzer/rule/rule_settings.h"
 #include "analyzer/rule/rule_table.h"
 #include "analyzer/setup/config.h"
-#include "formats/dialect/loader.h"
+#include "formats/dialect/family.h"
 #include "formats/finding/page_text.h"
 
 #include "llvm/Support/FileSystem.h"
@@ -40,27 +40,6 @@ std::string configuredDialect() {
     return "";
   }
   return config->dialect;
-}
-
-/// The control with those whose tables it extends, the nearest first.
-std::vector<std::string> familyOf(llvm::StringRef dialect) {
-  const std::vector<DialectSummary> known = listDialects();
-  std::vector<std::string> family;
-  std::string id = dialect.str();
-  while (!id.empty() && !llvm::is_contained(family, id)) {
-    family.push_back(id);
-    const auto entry = llvm::find_if(known, [&](const auto &one) { return one.id == id; });
-    id = entry == known.end() ? "" : entry->extends;
-  }
-  return family;
-}
-
-/// The first of the family that is in `list`; empty: none.
-std::string firstOf(llvm::ArrayRef<std::string> family, llvm::ArrayRef<std::string> list) {
-  for (const std::string &id : family)
-    if (llvm::is_contained(list, id))
-      return id;
-  return "";
 }
 
 /// What is not shown of the page, and how to see it.

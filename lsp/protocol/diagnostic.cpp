@@ -1,6 +1,7 @@
 // Findings as diagnostics of the protocol: severity, further places, tags, the rule's page.
 #include "lsp/protocol/diagnostic.h"
 
+#include "formats/dialect/family.h"
 #include "formats/finding/page_text.h"
 #include "formats/finding/plain_message.h"
 #include "formats/text/file_uri.h"
@@ -82,7 +83,7 @@ std::string DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo 
   if (support_.tags && rule.unreachable)
     json += ",\"tags\":[" + std::to_string(tagUnnecessary) + "]";
   if (support_.codeLink)
-    if (std::string page = rulePageUri(rule); !page.empty())
+    if (std::string page = rulePageUri(rule, dialect_); !page.empty())
       json += ",\"codeDescription\":{\"href\":" + textOf(std::move(page)) + "}";
   return json + "}";
 }
@@ -99,22 +100,24 @@ std::string DiagnosticWriter::changes(const Fix &fix) {
   return json.empty() ? "{}" : json + "}";
 }
 
-std::string rulePageUri(const RuleInfo &rule) {
+std::string rulePageUri(const RuleInfo &rule, llvm::StringRef dialect) {
   static std::mutex mutex;
   static llvm::StringMap<std::string> written;
   const std::lock_guard<std::mutex> lock(mutex);
-  const auto [entry, isNew] = written.try_emplace(rule.id);
+  const auto [entry, isNew] = written.try_emplace((rule.id + "\n" + dialect).str());
   if (!isNew)
     return entry->second;
+  const llvm::StringRef body = splitPage(rule.help).second;
+  const std::string shown = firstOf(familyOf(dialect), controlsOfPrograms(body));
   llvm::SmallString<256> file;
   if (!llvm::sys::path::cache_directory(file))
     llvm::sys::path::system_temp_directory(/*ErasedOnReboot=*/true, file);
-  llvm::sys::path::append(file, "ncvet", "rules", rule.id + ".md");
+  llvm::sys::path::append(file, "ncvet", "rules", shown.empty() ? "all" : shown, rule.id + ".md");
   if (llvm::sys::fs::create_directories(llvm::sys::path::parent_path(file)))
     return {};
   // Several servers may write the same page: a name of its own, then renamed.
   if (llvm::Error error = llvm::writeFileAtomically((file + ".%%%%%%").str(), file,
-                                                    forReaders(splitPage(rule.help).second))) {
+                                                    forReaders(withProgramsOf(shown, body)))) {
     llvm::consumeError(std::move(error));
     return {};
   }

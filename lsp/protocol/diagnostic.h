@@ -20,8 +20,11 @@ struct DiagnosticSupport {
 /// file.
 class DiagnosticWriter {
 public:
-  DiagnosticWriter(const SourceSet &sources, PositionEncoding encoding, DiagnosticSupport support)
-      : sources_(sources), places_(sources, encoding), support_(support) {}
+  /// `dialect`: id of the control, of which the pages of rules show programs.
+  DiagnosticWriter(const SourceSet &sources, PositionEncoding encoding, DiagnosticSupport support,
+                   std::string dialect)
+      : sources_(sources), places_(sources, encoding), support_(support),
+        dialect_(std::move(dialect)) {}
 
   /// A `Diagnostic`.
   std::string diagnostic(const Finding &finding, const RuleInfo &rule);
@@ -36,10 +39,11 @@ private:
   const SourceSet &sources_;
   Places places_;
   DiagnosticSupport support_;
+  std::string dialect_;
 };
 
-/// The page of a rule as a file that an editor can open, written when first asked for; its URI, or
-/// empty when it cannot be written.
-std::string rulePageUri(const RuleInfo &rule);
+/// The page of a rule as a file that an editor can open, with the programs of this control where it
+/// has some, written when first asked for; its URI, or empty when it cannot be written.
+std::string rulePageUri(const RuleInfo &rule, llvm::StringRef dialect);
 
 } // namespace ncvet::lsp

@@ -108,6 +108,11 @@ void suppressions(const Problem &problem, View &view, Json &actions) {
   offer("Allow " + rule + " in this file", allowInFile(view.snapshot, rule));
 }
 
+std::string titleOf(size_t safeFixes) {
+  return safeFixes == 1 ? "Apply the one safe fix"
+                        : ("Apply all " + llvm::Twine(safeFixes) + " safe fixes").str();
+}
+
 /// All safe fixes of the file, as far as none makes room for a new finding.
 void fixAll(View &view, Session &session, Json &actions) {
   const FixedText fixed =
@@ -130,8 +135,7 @@ void fixAll(View &view, Session &session, Json &actions) {
   const TextEdit edit{
       {view.snapshot.source().id(), uint32_t(front), uint32_t(before.size() - back)},
       after.slice(front, after.size() - back).str()};
-  actions.push_back(action(("Apply all " + llvm::Twine(fixed.applied) + " safe fixes").str(),
-                           "source.fixAll.ncvet",
+  actions.push_back(action(titleOf(fixed.applied), "source.fixAll.ncvet",
                            {{view.document.uri, editsJson(view.positions, edit)}}));
 }
 
@@ -144,9 +148,11 @@ Json fixAllLater(const View &view, const CheckResult &result) {
       ++(problem.safe ? safe : unsafe);
   if (safe == 0)
     return nullptr;
-  std::string title = ("Apply all " + llvm::Twine(safe) + " safe fixes").str();
+  std::string title = titleOf(safe);
   if (unsafe != 0)
-    title += (" (" + llvm::Twine(unsafe) + " more need a look)").str();
+    title +=
+        (" (" + llvm::Twine(unsafe) + (unsafe == 1 ? " more needs" : " more need") + " a look)")
+            .str();
   return {{"title", std::move(title)},
           {"kind", "source.fixAll.ncvet"},
           {"data", {{"uri", view.document.uri}, {"version", view.document.version}}}};
@@ -168,11 +174,12 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
     }
     if (wants(asked, "source.explain.ncvet")) {
       const RuleInfo &rule = allRules()[problem.rule].info;
-      actions.push_back(
-          {{"title", ("Explain " + rule.id).str()},
-           {"kind", "source.explain.ncvet"},
-           {"command",
-            {{"title", "Explain"}, {"command", "ncvet.explain"}, {"arguments", {rule.id.str()}}}}});
+      actions.push_back({{"title", ("Explain " + rule.id).str()},
+                         {"kind", "source.explain.ncvet"},
+                         {"command",
+                          {{"title", "Explain"},
+                           {"command", "ncvet.explain"},
+                           {"arguments", {rule.id.str(), view.document.uri}}}}});
     }
   }
   if (begin < end)
@@ -207,13 +214,21 @@ void resolve(Context &context, const Json &action, Reply reply) {
                     });
 }
 
+/// The control of the program that the second argument names, as it was last checked.
+std::string controlOf(const Context &context, const Json &arguments) {
+  const Document *document =
+      arguments.size() > 1 ? context.documents.find(arguments.at(1).get<std::string>()) : nullptr;
+  const auto result = document ? context.checks->last(document->path) : nullptr;
+  return result ? result->dialect : "";
+}
+
 /// Shows the page of a rule; where files cannot be opened, its summary.
 void explain(Context &context, const Json &arguments, Reply reply) {
   const std::string id = arguments.at(0);
   for (const RuleEntry &entry : allRules()) {
     if (entry.info.id != id)
       continue;
-    const std::string page = rulePageUri(entry.info);
+    const std::string page = rulePageUri(entry.info, controlOf(context, arguments));
     context.rpc.request(
         "window/showDocument", {{"uri", page}, {"takeFocus", true}},
         [&context, &entry](const Json &, bool failed) {

@@ -72,7 +72,7 @@ std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<
   result->reason = outcome.reason;
   result->guessed = outcome.guessed;
   result->sure = outcome.sure;
-  DiagnosticWriter writer(sources, job.encoding, job.support);
+  DiagnosticWriter writer(sources, job.encoding, job.support, outcome.dialect);
   for (const CheckedFinding &checked : outcome.findings)
     if (!checked.finding.suppressed)
       result->problems.push_back(problemOf(checked.finding, sources, writer));
@@ -175,6 +175,12 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
     return nullptr;
   }
   return nullptr;
+}
+
+std::shared_ptr<const CheckResult> Checks::last(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto known = results_.find(path);
+  return known == results_.end() ? nullptr : known->second;
 }
 
 std::optional<Checks::Clock::time_point> Checks::nextDue() const {

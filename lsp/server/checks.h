@@ -78,6 +78,8 @@ public:
   /// place, it was dropped, or `cancelled` is set.
   std::shared_ptr<const CheckResult> wait(const Document &document,
                                           const std::atomic<bool> &cancelled);
+  /// What the last finished check of a path gave; null: there was none.
+  std::shared_ptr<const CheckResult> last(const std::string &path);
   void stop();
   using Clock = std::chrono::steady_clock;
   /// Without threads: does the next check if it is time. How long it is until the one after it;

@@ -132,13 +132,19 @@ void Context::log(const llvm::Twine &line) const {
 }
 
 void Context::tellSetup(llvm::StringRef error) {
-  if (setupNotices.add(error))
-    warn(error);
+  if (!setupNotices.add(error))
+    return;
+  log(error);
+  show(SetupNotices::message(error));
 }
 
 void Context::warn(const llvm::Twine &message) {
   log(message);
-  rpc.notify("window/showMessage", {{"type", 2}, {"message", message.str()}});
+  show(message);
+}
+
+void Context::show(const llvm::Twine &warning) {
+  rpc.notify("window/showMessage", {{"type", 2}, {"message", warning.str()}});
 }
 
 std::shared_ptr<Session> Context::session(const Document &document) {

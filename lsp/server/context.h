@@ -125,8 +125,9 @@ public:
   void log(const llvm::Twine &line) const;
   /// Why a document has no setup. The user is told, once.
   void tellSetup(llvm::StringRef error);
-  /// `window/showMessage` with a warning.
+  /// `window/showMessage` with a warning, which is in the log as well.
   void warn(const llvm::Twine &message);
+  void show(const llvm::Twine &warning);
 
   Rpc rpc; ///< answers and notifications may be sent from any thread
   ClientSupport client;

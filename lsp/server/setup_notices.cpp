@@ -61,6 +61,16 @@ bool SetupNotices::add(llvm::StringRef error) {
   return true;
 }
 
+std::string SetupNotices::message(llvm::StringRef error) {
+  const PlacedError at = placeOf(error);
+  if (at.file.empty())
+    return error.str();
+  const llvm::StringRef folder = llvm::sys::path::parent_path(at.file);
+  return (llvm::sys::path::filename(at.file) + " line " + llvm::Twine(at.line + 1) + ": " +
+          at.what + (folder.empty() ? "" : " (in " + folder + ")"))
+      .str();
+}
+
 void SetupNotices::renew() {
   const std::lock_guard<std::mutex> lock(mutex_);
   told_.clear();

@@ -15,6 +15,8 @@ public:
 
   /// `error`: "FILE:LINE: what is wrong", or a text without a place. True when it is new.
   bool add(llvm::StringRef error);
+  /// The error as a message: what is wrong comes before the folder, as an editor cuts what is long.
+  static std::string message(llvm::StringRef error);
   /// The files are read anew: what is told from here on takes the place of what was told.
   void renew();
   /// Whether something is wrong at present.

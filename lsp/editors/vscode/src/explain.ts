@@ -11,7 +11,8 @@ export const isPage = (uri: vscode.Uri): boolean => uri.scheme === 'file' && uri
 
 /** The read-only document of a page that the server has written into a file. */
 export function documentOf(page: vscode.Uri): vscode.Uri {
-  const uri = vscode.Uri.from({ scheme, path: '/' + page.path.split('/').at(-1) });
+  // The folder is named for the control whose programs the page shows.
+  const uri = vscode.Uri.from({ scheme, path: '/' + page.path.split('/').slice(-2).join('/') });
   pages.set(uri.path, page);
   return uri;
 }
@@ -45,7 +46,7 @@ async function explainRule(client: BaseLanguageClient | undefined): Promise<void
   }
   const rule = rules.length === 1 ? rules[0] : await vscode.window.showQuickPick(rules, { title: 'Explain which rule?' });
   if (rule) {
-    await client?.sendRequest('workspace/executeCommand', { command: 'ncvet.explain', arguments: [rule] });
+    await client?.sendRequest('workspace/executeCommand', { command: 'ncvet.explain', arguments: [rule, editor?.document.uri.toString()] });
   }
 }
 

@@ -22,7 +22,7 @@ async function fixAll(): Promise<void> {
   }
   await vscode.workspace.applyEdit(action.edit);
   // The title counts the fixes, and those that need a look.
-  void vscode.window.showInformationMessage(`Done: ${action.title}`);
+  void vscode.window.showInformationMessage(action.title.replace(/^Apply /, 'Applied '));
 }
 
 export function registerFixes(context: vscode.ExtensionContext): void {

@@ -35,6 +35,10 @@ abstract class ProgramTree implements vscode.TreeDataProvider<Row> {
     this.renew();
   }
 
+  hasProgram(): boolean {
+    return this.document !== undefined && !this.document.isClosed;
+  }
+
   renew(): void {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
@@ -53,7 +57,7 @@ abstract class ProgramTree implements vscode.TreeDataProvider<Row> {
     if (row) {
       return (await row.below?.()) ?? [];
     }
-    return this.document && !this.document.isClosed ? this.rows(this.document) : [];
+    return this.document && this.hasProgram() ? this.rows(this.document) : [];
   }
 
   getTreeItem(row: Row): vscode.TreeItem {
@@ -183,7 +187,12 @@ class Findings extends ProgramTree {
 export function registerTrees(context: vscode.ExtensionContext): void {
   const trees = { 'ncvet.operations': new Operations(), 'ncvet.subprograms': new Subprograms(), 'ncvet.findings': new Findings() };
   const all: ProgramTree[] = Object.values(trees);
-  const lookAtActive = () => all.forEach((tree) => tree.look(vscode.window.activeTextEditor?.document));
+  const lookAtActive = () => {
+    const document = vscode.window.activeTextEditor?.document;
+    all.forEach((tree) => tree.look(document));
+    // Where none is in sight the views say what they are for.
+    void vscode.commands.executeCommand('setContext', 'ncvet.hasProgram', trees['ncvet.operations'].hasProgram());
+  };
   for (const [id, tree] of Object.entries(trees)) {
     context.subscriptions.push(vscode.window.registerTreeDataProvider(id, tree));
   }
