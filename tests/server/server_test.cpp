@@ -134,7 +134,7 @@ TEST(LanguageServer, PositionsCountWhatTheClientCounts) {
 
 TEST(LanguageServer, AQuickFixMendsItsFinding) {
   LanguageClient client;
-  client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
+  client.initialize(Json::object(), {{"dialect", "fanuc-0m"}});
   const std::string path = "/nowhere/bore.nc";
   client.open(path, "%\nO1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
                     "G01 Z-1. F100.\nG00 Z50.\nM30\n%\n");
@@ -163,7 +163,7 @@ TEST(LanguageServer, ACommentSilencesAFindingHereAndInTheFile) {
                            "G01 Z-1. F100.\nG00 Z50.\nM30\n%\n";
   for (const size_t which : {1, 2}) {
     LanguageClient client;
-    client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
+    client.initialize(Json::object(), {{"dialect", "fanuc-0m"}});
     client.open(path, text);
     const Json diagnostics = client.diagnostics(path);
     ASSERT_EQ(diagnostics.size(), 1u);

@@ -89,6 +89,10 @@ private:
       if (!dialect_.groups[index].oneShot)
         if (std::string names = active(index); !names.empty())
           known.push_back(names.find(' ') == std::string::npos ? names : "(" + names + ")");
+    // As a control lists them: by number, G before M.
+    llvm::sort(known, [](llvm::StringRef a, llvm::StringRef b) {
+      return a.ltrim('(').compare_numeric(b.ltrim('(')) < 0;
+    });
     add("modal", list(known, " "));
   }
 

@@ -187,11 +187,11 @@ export const steps = {
   },
 
   async 'explain shows the page of the rule at the cursor'(editor) {
-    await editor.open('plate.nc');
-    await until('findings', async () => (await editor.findings('plate.nc')).includes('9 cycle-left-active'));
-    await editor.ask(`const editor = vscode.window.activeTextEditor; editor.selection = new vscode.Selection(8, 5, 8, 5)`);
-    await editor.command('ncvet.explainRule');
-    await editor.pick('cycle-left-active'); // there is another finding at the place
+    editor.write('explain.nc', drilling.map((line) => line.replace('Y10.', 'Y10. Y10.')));
+    await editor.open('explain.nc');
+    await until('findings', async () => (await editor.findings('explain.nc')).includes('9 cycle-left-active'));
+    await editor.command('ncvet.explainRule'); // where the cursor is there is no finding
+    await editor.pick('cycle-left-active');
     await until('the page', () => editor.ask(`return vscode.window.tabGroups.all.flatMap((group) => group.tabs).some((tab) => /cycle-left-active/.test(tab.label))`));
     await until('its text', () => editor.ask(`return vscode.workspace.textDocuments.some((one) =>
       one.uri.scheme === 'ncvet-rule' && one.getText().includes('Why it matters at the machine') && !/G99/.test(one.getText()))`));

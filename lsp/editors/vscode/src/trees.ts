@@ -54,10 +54,14 @@ abstract class ProgramTree implements vscode.TreeDataProvider<Row> {
 
   async getChildren(row?: Row): Promise<Row[]> {
     this.asked = Date.now();
-    if (row) {
-      return (await row.below?.()) ?? [];
+    try {
+      if (row) {
+        return (await row.below?.()) ?? [];
+      }
+      return this.document && this.hasProgram() ? await this.rows(this.document) : [];
+    } catch {
+      return []; // the server is not there, which is told elsewhere, or the text is another one by now
     }
-    return this.document && this.hasProgram() ? this.rows(this.document) : [];
   }
 
   getTreeItem(row: Row): vscode.TreeItem {
