@@ -21,8 +21,9 @@ public:
     text(configFile);
     text(profile);
     write(rules);
-    const auto &[repeatedBlocks, callDepth, findingsPerRule] = limits;
-    out_ << repeatedBlocks << ' ' << callDepth << ' ' << findingsPerRule << ' ' << contours << '\n';
+    const auto &[repeatedBlocks, callDepth, findingsPerRule, memory] = limits;
+    out_ << repeatedBlocks << ' ' << callDepth << ' ' << findingsPerRule << ' ' << memory << ' '
+         << contours << '\n';
   }
 
   /// `files`, `exclude` and `overrides` say which files are meant, and how `config` was made.

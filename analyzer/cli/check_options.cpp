@@ -89,6 +89,9 @@ void CheckOptions::declareRun(OptionSet &options) {
       .valued("N", "a number from 1")
       .shortly('j')
       .environment();
+  options.add("--memory", &memory_, "cut what would take more memory than so many MiB")
+      .valued("MIB", "a number from 1")
+      .environment();
   options
       .add("--no-cache", &noCache_,
            "check all files, also those that rest on what they rested on before")
@@ -275,6 +278,7 @@ llvm::Expected<CheckRequest> CheckOptions::request(const OptionSet &options) con
   request.stdinFilename = stdinFilename_;
   request.timeTrace = timeTrace_;
   request.jobs = jobs_;
+  request.session.limits.memory = uint64_t(memory_) << 20;
   request.quiet = quiet_;
   request.exitZero = exitZero_;
   request.cache = !noCache_ && timeTrace_.empty(); // a trace is of what takes time

@@ -64,6 +64,7 @@ private:
   std::vector<std::string> reports_;
   std::string failOn_, baseline_, writeBaseline_;
   unsigned jobs_ = 0;
+  unsigned memory_ = 0; ///< MiB; 0: as much as it takes
   bool stats_ = false, quiet_ = false, exitZero_ = false;
   bool statistics_ = false, showSource_ = false, hideSource_ = false;
   InputChoice inputs_;

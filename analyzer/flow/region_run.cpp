@@ -2,6 +2,7 @@
 #include "analyzer/flow/region_run.h"
 
 #include "formats/text/crash_guard.h"
+#include "formats/text/system/system.h"
 #include "interp/value/work_meter.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@ namespace {
 
 /// The cancel flag is looked at once in so many blocks (a power of two).
 constexpr uint64_t cancelInterval = 256;
+/// The system is asked for the memory that is held once in so many.
+constexpr uint64_t memoryInterval = 1024;
 
 /// What executing a block costs, in plain moves.
 uint64_t workOf(const Block &block) {
@@ -194,6 +197,15 @@ bool RegionRun::noteRead() {
   return goesOn;
 }
 
+/// False: the analysis has come to the end of its memory.
+bool RegionRun::fitsIntoMemory() {
+  if (!run_.limits.memory || system::memoryHeld() <= run_.limits.memory)
+    return true;
+  run_.stopped = true;
+  run_.cut(blockRange(), "it took more memory than it may");
+  return false;
+}
+
 /// So many blocks were read; false: the analysis was cancelled.
 bool RegionRun::countSteps(uint64_t blocks) {
   const uint64_t before = std::exchange(run_.steps, run_.steps + blocks);
@@ -204,6 +216,8 @@ bool RegionRun::countSteps(uint64_t blocks) {
     run_.cut(blockRange(), "cancelled");
     return false;
   }
+  if (before / memoryInterval != run_.steps / memoryInterval && !fitsIntoMemory())
+    return false;
   if (&unit_ == &run_.unit)
     unit_.source.forget(at_ > (1u << 16) ? at_ - (1u << 16) : 0);
   return true;

@@ -83,6 +83,7 @@ private:
   void learn(Live &live);
   bool noteRead();
   bool countSteps(uint64_t blocks);
+  bool fitsIntoMemory();
   void noteText(uint32_t end);
   bool passOver();
   bool passEmptyLines();

@@ -13,6 +13,9 @@ struct AnalysisLimits {
   unsigned callDepth = 32;
   /// Findings of one rule in one file: more are noise.
   unsigned findingsPerRule = 1000;
+  /// Bytes that the process may hold; 0: as many as it takes. Who asks for less than an analysis
+  /// takes is told how far it came.
+  uint64_t memory = 0;
 };
 
 } // namespace ncvet

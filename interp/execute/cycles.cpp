@@ -3,6 +3,7 @@
 #include "interp/evaluate/cycle_words.h"
 #include "interp/evaluate/formula.h"
 #include "interp/execute/execution.h"
+#include "interp/value/work_meter.h"
 
 #include <cmath>
 
@@ -318,8 +319,10 @@ bool Execution::patternPlaces(const CodeInfo &code) {
   ConditionContext context{dialect_, machine_, block_, {}, before_};
   const Interval count = levelOf(code.count, code, context);
   const Interval factor = lengthFactor();
+  constexpr double workOfPlace = 4; // in plain moves: two formulas
   if (!count.isConstant() || !factor.isConstant() || count.value() < 1 || count.value() > mostHoles)
     return false;
+  workDone += uint64_t(count.value() * workOfPlace);
   for (; context.index < count.value(); ++context.index) {
     std::array<Interval, 2> place;
     for (size_t i = 0; i < 2; ++i)

@@ -2,6 +2,7 @@
 #include "interp/value/variables.h"
 
 #include "interp/value/access_log.h"
+#include "interp/value/work_meter.h"
 
 #include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/bit.h"
@@ -9,6 +10,10 @@
 #include <algorithm>
 
 namespace ncvet {
+
+/// So many variables are brought together, and compared before and after that, in the time of a
+/// plain move.
+constexpr size_t entriesOfOneMove = 32;
 
 bool Variables::before(const Entry &entry, uint64_t number) { return entry.number < number; }
 
@@ -95,6 +100,7 @@ Variables Variables::merge(const Variables &a, const Variables &b, Combine combi
   static const std::vector<Entry> none;
   const auto &left = a.data_ ? a.data_->entries : none;
   const auto &right = b.data_ ? b.data_->entries : none;
+  workDone += (left.size() + right.size()) / entriesOfOneMove;
   auto i = left.begin();
   auto j = right.begin();
   llvm::IntrusiveRefCntPtr<SharedList<Entries>> data(new SharedList<Entries>);

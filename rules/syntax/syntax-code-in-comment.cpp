@@ -51,7 +51,17 @@ public:
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     // Comments of this kind are rare: looking for them in the text spares every block a test.
     file.index.eachPlaceOf('(', [&](uint32_t open) { look(file, open, ctx); });
-    file.index.eachPlaceOf('"', [&](uint32_t open) { lookAfterSecondMark(file, open, ctx); });
+    const llvm::StringRef text = file.source.text();
+    size_t lineEnd = 0;
+    unsigned marks = 0; // in the line so far, which may be long
+    file.index.eachPlaceOf('"', [&](uint32_t open) {
+      if (open >= lineEnd) {
+        lineEnd = std::min(text.find_first_of("\r\n", open), text.size());
+        marks = 0;
+      }
+      if (++marks == 2)
+        lookAfterSecondMark(file, open, ctx);
+    });
   }
 
 private:

@@ -119,6 +119,21 @@ llvm::ArrayRef<const char *> arguments(int count, const char *const *words) {
 
 unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
+uint64_t memoryHeld() {
+  const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+    return 0;
+  char text[128] = {}; // pages of all kinds, the resident ones second
+  const ssize_t length = ::read(file, text, sizeof text - 1);
+  ::close(file);
+  uint64_t pages = 0;
+  const llvm::StringRef held =
+      llvm::StringRef(text, length > 0 ? size_t(length) : 0).split(' ').second;
+  if (held.split(' ').first.getAsInteger(10, pages))
+    return 0;
+  return pages * uint64_t(::sysconf(_SC_PAGESIZE));
+}
+
 double secondsOfThread() {
   timespec used{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);

@@ -36,6 +36,9 @@ void keepFreedMemory();
 /// Gives memory that nobody holds back to the system.
 void giveBackFreeMemory();
 
+/// Bytes of memory that this process holds; 0 where the system does not tell.
+uint64_t memoryHeld();
+
 /// The words of the command line in UTF-8, the program's name first. Valid as long as it runs.
 llvm::ArrayRef<const char *> arguments(int count, const char *const *words);
 

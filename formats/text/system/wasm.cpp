@@ -47,6 +47,8 @@ llvm::ArrayRef<const char *> arguments(int count, const char *const *words) {
 
 unsigned processors() { return 1; }
 
+uint64_t memoryHeld() { return uint64_t(__builtin_wasm_memory_size(0)) << 16; }
+
 double secondsOfThread() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -4,6 +4,7 @@
 #include "llvm/Support/ConvertUTF.h"
 #include <fcntl.h>
 #include <io.h>
+#include <psapi.h>   // needs the one before it
 #include <windows.h> // with the shell
 
 #include <algorithm>
@@ -76,6 +77,13 @@ llvm::ArrayRef<const char *> arguments(int, const char *const *) {
 }
 
 unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+uint64_t memoryHeld() {
+  PROCESS_MEMORY_COUNTERS counters{};
+  const bool told =
+      ::K32GetProcessMemoryInfo(::GetCurrentProcess(), &counters, sizeof counters) != 0;
+  return told ? counters.WorkingSetSize : 0;
+}
 
 double secondsOfThread() {
   FILETIME begun, ended, kernel, user;
