@@ -21,7 +21,7 @@ namespace fs = llvm::sys::fs;
 namespace path = llvm::sys::path;
 
 /// The form of the files: other ones are none of ours.
-constexpr llvm::StringLiteral form = "ncvet outcome 1\n";
+constexpr llvm::StringLiteral form = "ncvet outcome 2\n";
 /// An outcome is some findings: one with the most that rules may make takes less.
 constexpr uint64_t largestOutcome = 64u << 20;
 /// What is not used for so long belongs to programs that are done.
@@ -68,7 +68,8 @@ std::string CheckCache::settingsFor(const std::shared_ptr<const Config> &config)
   return known;
 }
 
-std::optional<std::string> CheckCache::pathFor(const SourceFile &file) {
+std::optional<std::string> CheckCache::pathFor(const SourceFile &file,
+                                               llvm::ArrayRef<FollowedCall> followed) {
   auto config = session_.configOf(file.path().empty() ? file.display() : file.path());
   if (!config) {
     llvm::consumeError(config.takeError()); // the check tells it
@@ -83,6 +84,8 @@ std::optional<std::string> CheckCache::pathFor(const SourceFile &file) {
                                 << current << '\n'
                                 << settingsFor(*config) << file.path() << '\0' << file.display()
                                 << '\0' << file.text().size() << ' ' << llvm::xxHash64(file.text());
+  for (const auto &[block, groups] : followed)
+    llvm::raw_string_ostream(key) << ' ' << block << ' ' << groups;
   llvm::SHA1 hash;
   hash.update(key);
   llvm::SmallString<256> at(folder_);
@@ -147,16 +150,17 @@ void CheckCache::keep(const std::string &path, const SourceFile &file, const Fil
 
 FileOutcome CheckCache::check(const SourceFile &file, const std::atomic<bool> *cancel,
                               CheckStore &store, Opened &opened) {
-  const std::optional<std::string> path = pathFor(file);
+  const std::optional<std::string> path = pathFor(file, store.outer.followed);
   if (!path)
     return checkFile(session_, sources_, file, cancel, nullptr, &store);
   if (auto known = find(*path, file, opened)) {
-    ++known_;
+    known->postponed = known->asksOuter && store.outer.postpones;
+    known_ += !known->postponed;
     return std::move(*known);
   }
   const LookupRecord record(answers_);
   FileOutcome outcome = checkFile(session_, sources_, file, cancel, nullptr, &store);
-  if (outcome.error.empty() && !full_ && !(cancel && *cancel))
+  if (outcome.error.empty() && !outcome.postponed && !full_ && !(cancel && *cancel))
     keep(*path, file, outcome, record);
   return outcome;
 }

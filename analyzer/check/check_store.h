@@ -1,6 +1,7 @@
 // What checks of many files share.
 #pragma once
 
+#include "analyzer/flow/outer_calls.h"
 #include "analyzer/setup/session.h"
 
 #include <list>
@@ -11,6 +12,9 @@ namespace ncvet {
 /// one after the other. Belongs to one thread.
 class CheckStore {
 public:
+  /// What the check of the next file does with calls of others.
+  OuterCalls outer;
+
   /// The project for files with this setup.
   Project &projectFor(const FileSetup &setup, SourceSet &sources) {
     const auto known = llvm::find_if(shared_, [&](const Shared &one) {

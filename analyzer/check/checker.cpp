@@ -156,10 +156,16 @@ const std::string &nameOf(const SourceFile &file) {
 
 /// One file under its setup, followed and made into findings.
 void checkUnder(const FileSetup &setup, Session &session, Project &project, FileUnit &unit,
-                const std::atomic<bool> *cancel, Recheck *again, FileOutcome &outcome) {
+                const std::atomic<bool> *cancel, Recheck *again, const OuterCalls *outer,
+                FileOutcome &outcome) {
   const SourceFile &file = unit.source;
   AnalysisResult result = analyze(project, unit, *setup.rules, setup.limits, cancel,
-                                  again ? again->memory.runsFor(unit.index) : nullptr);
+                                  again ? again->memory.runsFor(unit.index) : nullptr, outer);
+  outcome.postponed = result.postponed;
+  outcome.asksOuter = result.asksOuter;
+  outcome.followed = std::move(result.followed);
+  if (result.postponed)
+    return;
   if (again && result.complete)
     again->memory.setChecked();
   outcome.blocks = result.blocks;
@@ -201,13 +207,13 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   const auto crash = runGuarded([&] {
     if (store)
       return store->projectFor(*setup, sources).withMain(file, [&](FileUnit &unit) {
-        checkUnder(*setup, session, *unit.project, unit, cancel, nullptr, *outcome);
+        checkUnder(*setup, session, *unit.project, unit, cancel, nullptr, &store->outer, *outcome);
       });
     Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                     setup->folders);
     FileUnit &unit =
         project.unit(file, again ? again->memory.scanFor(*setup, file, again->text) : nullptr);
-    checkUnder(*setup, session, project, unit, cancel, again, *outcome);
+    checkUnder(*setup, session, project, unit, cancel, again, nullptr, *outcome);
   });
   if (!crash)
     return std::move(*outcome);

@@ -3,6 +3,7 @@
 
 #include "analyzer/check/check_memory.h"
 #include "analyzer/check/check_store.h"
+#include "analyzer/flow/outer_calls.h"
 #include "analyzer/setup/session.h"
 
 #include <atomic>
@@ -36,6 +37,10 @@ struct FileOutcome {
   std::vector<CheckedFinding> findings;
   /// (name of the file, offset) of suppressions in called files that this file made use of.
   std::vector<std::pair<std::string, uint32_t>> usedSuppressions;
+  bool postponed = false; ///< see `OuterCalls`: the file is checked later
+  bool asksOuter = false; ///< it is one that would be postponed
+  /// See `AnalysisResult`.
+  FollowedCallsOfFiles followed;
 };
 
 /// Checks `file`, a file of `sources`. Findings may lie in other files that it calls; these are

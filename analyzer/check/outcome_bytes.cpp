@@ -64,10 +64,10 @@ public:
 
   std::string run(const FileOutcome &outcome) {
     const auto &[error, dialect, title, reason, guessed, sure, blocks, complete, cuts, contours,
-                 failOn, findings, usedSuppressions] = outcome;
+                 failOn, findings, usedSuppressions, postponed, asksOuter, followed] = outcome;
     for (const std::string *one : {&dialect, &title, &reason})
       out_.text(*one);
-    for (const bool one : {guessed, sure, complete})
+    for (const bool one : {guessed, sure, complete, postponed, asksOuter})
       out_.number(one);
     out_.number(blocks);
     for (const std::vector<std::string> *list : {&cuts, &contours}) {
@@ -80,6 +80,15 @@ public:
     for (const auto &[name, offset] : usedSuppressions) {
       out_.text(name);
       out_.number(offset);
+    }
+    out_.number(followed.size());
+    for (const auto &[path, calls] : followed) {
+      out_.text(path);
+      out_.number(calls.size());
+      for (const auto &[begin, groups] : calls) {
+        out_.number(begin);
+        out_.number(groups);
+      }
     }
     out_.number(findings.size());
     for (const CheckedFinding &finding : findings)
@@ -165,7 +174,8 @@ public:
     FileOutcome outcome;
     for (std::string *one : {&outcome.dialect, &outcome.dialectTitle, &outcome.reason})
       *one = in_.text().str();
-    for (bool *one : {&outcome.guessed, &outcome.sure, &outcome.complete})
+    for (bool *one : {&outcome.guessed, &outcome.sure, &outcome.complete, &outcome.postponed,
+                      &outcome.asksOuter})
       *one = in_.number(2);
     outcome.blocks = in_.number();
     for (std::vector<std::string> *list : {&outcome.cuts, &outcome.contours})
@@ -175,6 +185,12 @@ public:
     for (uint64_t left = in_.number(); left && !in_.failed(); --left) {
       std::string name = in_.text().str();
       outcome.usedSuppressions.emplace_back(std::move(name), uint32_t(in_.number()));
+    }
+    for (uint64_t left = in_.number(); left && !in_.failed(); --left) {
+      auto &[path, calls] = outcome.followed.emplace_back();
+      path = in_.text().str();
+      for (uint64_t more = in_.number(); more && !in_.failed(); --more)
+        calls.push_back(readCall());
     }
     for (uint64_t left = in_.number(); left && !in_.failed(); --left)
       outcome.findings.push_back(readFinding());
@@ -191,6 +207,11 @@ private:
         return in_.fail();
       files_.push_back(file);
     }
+  }
+
+  FollowedCall readCall() {
+    const auto block = uint32_t(in_.number());
+    return {block, in_.number()};
   }
 
   FailOn readFailOn() {

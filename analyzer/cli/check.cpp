@@ -5,10 +5,11 @@
 #include "analyzer/cli/check_worker.h"
 #include "analyzer/cli/comparisons.h"
 #include "analyzer/cli/output.h"
-#include "analyzer/cli/progress.h"
+#include "analyzer/cli/postponed_checks.h"
 #include "analyzer/cli/relative_paths.h"
 #include "analyzer/cli/views.h"
 #include "analyzer/cli/watch.h"
+#include "analyzer/cli/workers.h"
 #include "analyzer/rule/rule_table.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report_formats.h"
@@ -17,7 +18,6 @@
 #include "formats/text/plain_text.h"
 #include "formats/text/read_file.h"
 #include "formats/text/system/system.h"
-#include "formats/text/threads.h"
 
 #include "llvm/ADT/StringSet.h"
 #include "llvm/Support/FileSystem.h"
@@ -25,10 +25,8 @@
 #include "llvm/Support/TimeProfiler.h"
 #include "llvm/Support/raw_ostream.h"
 
-#include <atomic>
 #include <chrono>
 #include <set>
-#include <thread>
 
 namespace ncvet::cli {
 
@@ -44,9 +42,13 @@ public:
 private:
   void readInput(Job &job);
   void collect();
-  void forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &)> work);
-  void giveBack(Worker &worker);
+  using Work = llvm::function_ref<void(Job &, Worker &)>;
+  void forEachGroup(const char *what, std::vector<std::vector<Job *>> groups, Work work);
+  void forEachJob(const char *what, Work work);
+  void giveBack(Worker &&worker);
   void openJob(Job &job);
+  void checkJob(Job &job, Worker &worker);
+  void checkPostponed();
   FileOutcome outcomeOf(const SourceFile &file, Worker &worker);
   llvm::Error writeFix(const Job &job) const;
   void writeFixes();
@@ -159,47 +161,47 @@ FileOutcome Check::outcomeOf(const SourceFile &file, Worker &worker) {
                 : checkFile(session_, sources_, file, cancel, nullptr, &worker.store);
 }
 
+void Check::checkJob(Job &job, Worker &worker) {
+  job.outcome = outcomeOf(*job.source, worker);
+  if (job.outcome.postponed)
+    return;
+  worker.keep(job);
+  if (showsPrograms() && job.outcome.error.empty())
+    job.view = viewOf(session_, sources_, *job.source);
+}
+
+/// Subprograms that call others, when those who call them have been checked.
+void Check::checkPostponed() {
+  PostponedChecks postponed(jobs_, session_);
+  forEachGroup("check", postponed.groups(), [&](Job &job, Worker &worker) {
+    worker.store.outer = postponed.outerCallsOf(job);
+    checkJob(job, worker);
+    postponed.add(job);
+  });
+}
+
 /// What the worker has kept of other inputs belongs to the input that found it.
-void Check::giveBack(Worker &worker) {
+void Check::giveBack(Worker &&worker) {
   for (auto &[place, entry] : worker.inCalled)
     jobs_[entry.first].outcome.findings.push_back(std::move(entry.second));
 }
 
-/// The largest first: no thread is left alone with a long one in the end.
-void Check::forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &)> work) {
-  Progress progress(what, jobs_.size());
-  std::vector<Job *> order;
-  for (Job &job : jobs_)
-    order.push_back(&job);
-  llvm::stable_sort(order, [](const Job *a, const Job *b) { return a->bytes > b->bytes; });
-  std::atomic<size_t> next = 0;
-  const auto run = [&](Worker &worker) {
-    for (size_t index; (index = next++) < order.size() && !isCancelled(); progress.step()) {
-      const llvm::TimeTraceScope trace(what, order[index]->input.display);
-      work(*order[index], worker);
-    }
-  };
-  size_t count = request_.jobs ? request_.jobs : system::processors();
-  count = hasThreads ? std::min(std::max<size_t>(1, count), jobs_.size()) : 1;
-  std::vector<Worker> workers(std::max<size_t>(1, count));
-  std::vector<std::thread> threads;
-  for (Worker &worker : workers) {
-    if (workers.size() == 1) {
-      run(worker);
-      break;
-    }
-    threads.emplace_back([&] {
-      if (!request_.timeTrace.empty())
-        llvm::timeTraceProfilerInitialize(0, "ncvet");
-      run(worker);
-      if (!request_.timeTrace.empty())
-        llvm::timeTraceProfilerFinishThread();
-    });
-  }
-  for (std::thread &thread : threads)
-    thread.join();
+void Check::forEachGroup(const char *what, std::vector<std::vector<Job *>> groups, Work work) {
+  const size_t count = request_.jobs ? request_.jobs : system::processors();
+  std::vector<Worker> workers = workOn(
+      std::move(groups), {what, count, !request_.timeTrace.empty()}, [&](Job &job, Worker &worker) {
+        if (!isCancelled())
+          work(job, worker);
+      });
   for (Worker &worker : workers)
-    giveBack(worker);
+    giveBack(std::move(worker));
+}
+
+void Check::forEachJob(const char *what, Work work) {
+  std::vector<std::vector<Job *>> groups;
+  for (Job &job : jobs_)
+    groups.push_back({&job});
+  forEachGroup(what, std::move(groups), work);
 }
 
 /// Replaces the file of the job. That of standard input is standard output, written later.
@@ -419,16 +421,13 @@ int Check::run() {
   }
   if (request_.cache)
     cache_ = CheckCache::open(request_.cacheDir, session_, sources_);
-  const bool views = showsPrograms();
   forEachJob("check", [&](Job &job, Worker &worker) {
     openJob(job);
-    if (!job.source)
-      return;
-    job.outcome = outcomeOf(*job.source, worker);
-    worker.keep(job);
-    if (views && job.outcome.error.empty())
-      job.view = viewOf(session_, sources_, *job.source);
+    worker.store.outer.postpones = jobs_.size() > 1;
+    if (job.source)
+      checkJob(job, worker);
   });
+  checkPostponed();
   if (isCancelled()) {
     round_->cancelled = true;
     return exitFailure;

@@ -1,8 +1,10 @@
 // What the analysis of a program found.
 #pragma once
 
+#include "analyzer/flow/outer_calls.h"
 #include "formats/finding/finding.h"
 
+#include <string>
 #include <vector>
 
 namespace ncvet {
@@ -12,6 +14,11 @@ struct AnalysisResult {
   uint64_t blocks = 0;           ///< blocks with content in the file
   bool complete = true;          ///< false: cut short by a budget
   std::vector<std::string> cuts; ///< why, one line each
+  bool postponed = false;        ///< see `OuterCalls`: nothing was found out
+  bool asksOuter = false;        ///< what `OuterCalls` says of some call was asked for
+  /// By the path of another file: begins of its blocks whose calls of further files were followed,
+  /// and came back.
+  FollowedCallsOfFiles followed;
 };
 
 } // namespace ncvet

@@ -7,15 +7,25 @@ namespace ncvet {
 
 AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
                        const AnalysisLimits &limits, const std::atomic<bool> *cancel,
-                       StraightRuns *runs) {
+                       StraightRuns *runs, const OuterCalls *outer) {
   Engine engine(project, unit, limits, cancel);
   RuleHost host(unit, rules, limits, engine.visits);
   engine.listen(host);
   if (runs)
     engine.reuse(*runs, host);
+  if (outer)
+    engine.leaveToCallers(*outer);
   engine.run();
-  return {host.take(project.sources()), engine.blockCount(), engine.isComplete(),
-          engine.cutsMade()};
+  AnalysisResult result;
+  result.blocks = engine.blockCount();
+  result.complete = engine.isComplete();
+  result.cuts = engine.cutsMade();
+  result.postponed = engine.postponed;
+  result.asksOuter = engine.hasAskedOuter();
+  result.followed = engine.followedCalls();
+  if (!result.postponed)
+    result.findings = host.take(project.sources());
+  return result;
 }
 
 } // namespace ncvet

@@ -38,14 +38,34 @@ static void keepCompensationOff(const MachineState &before, MachineState &after,
   after.compensation = before.compensation;
 }
 
-/// After a call of which nothing is known.
-void Calls::goOnUnknown(Step &step) {
+/// Modal groups that nobody has seen changed by such a call.
+static void keepUnchanged(const FollowedCall &call, const MachineState &before, MachineState &after,
+                          const Dialect &dialect) {
+  for (GroupIndex i = 0; i < GroupIndex(dialect.groups.size()); ++i)
+    if (!(call.groups >> i & 1))
+      after.setGroup(i, before.group(i));
+  const auto keeps = [&](StandardGroup which) {
+    const GroupIndex group = dialect.group(which);
+    return group != noGroup && !(call.groups >> group & 1);
+  };
+  if (keeps(StandardGroup::Compensation))
+    after.compensation = before.compensation;
+  if (keeps(StandardGroup::Cycle)) {
+    after.cycle = before.cycle;
+    after.initialLevel = before.initialLevel;
+  }
+}
+
+/// After a call of which nothing is known but, perhaps, what callers of this program know of it.
+void Calls::goOnUnknown(Step &step, const FollowedCall *known) {
   const Dialect &dialect = *step.unit().dialect;
   run_.lose(step.flowRange(), "what is called here is not known");
   const Variables locals = step.live.state->locals;
   const MachineState before = step.live.state;
   forget(step.live.state, dialect);
-  if (dialect.callsKeepModes)
+  if (known)
+    keepUnchanged(*known, before, step.live.state, dialect);
+  else if (dialect.callsKeepModes)
     keepModes(before, step.live.state, dialect);
   else
     keepCompensationOff(before, step.live.state, dialect);
@@ -65,6 +85,7 @@ bool Calls::mayEnter(const Step &step, const Callee &callee) {
     if (!conditional || region.depth() + 1 >= run_.limits.callDepth) {
       run_.issue(FlowIssue::Recursion, step, where,
                  {callee.unit->source.id(), callee.start, callee.start + 1});
+      run_.noteFollowed(step, *callee.unit, nullptr);
       return false;
     }
   }
@@ -85,6 +106,9 @@ void Calls::call(Step &step) {
   const Flow &flow = step.outcome.flow;
   MachineState &state = step.live.state;
   const std::optional<Callee> callee = callees_.find(step);
+  const FollowedCall *const left = callee ? run_.leftToCallers(step, *callee->unit) : nullptr;
+  if (left)
+    return goOnUnknown(step, left);
   if (!callee || !mayEnter(step, *callee))
     return goOnUnknown(step);
   Passes passes(step);

@@ -68,6 +68,7 @@ static void startInPlane(Action plane, const Dialect &dialect, MachineState &sta
 /// Runs a program that no other calls.
 void Engine::enter(const Region &region, EntryState entry) {
   listeners.tell([&](FlowListener &listener) { listener.entered(entry); });
+  entryUnknown = entry != EntryState::Known;
   Lives lives = startOf(entry != EntryState::Known);
   if (readsAsTurning(region.unit, region.program))
     startInPlane(Action::PlaneZX, *unit.dialect, lives[0].state);
@@ -162,10 +163,26 @@ void Engine::finish() {
   endStop();
 }
 
+FollowedCallsOfFiles Engine::followedCalls() const {
+  FollowedCallsOfFiles files;
+  for (const auto &[file, blocks] : followed) {
+    const std::string &path = project.sources().get(file).path();
+    if (path.empty())
+      continue;
+    std::vector<FollowedCall> &calls = files.emplace_back().second;
+    files.back().first = path;
+    for (const auto &[block, groups] : blocks)
+      calls.push_back({block, groups});
+  }
+  return files;
+}
+
 void Engine::run() {
   runMainProgram();
   runOtherPrograms();
   runOtherSubprograms();
+  if (postponed)
+    return;
   listeners.tell([](FlowListener &listener) { listener.entered(EntryState::Known); });
   inspectUnreached(*this, runs_);
   finish();

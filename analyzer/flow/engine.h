@@ -21,7 +21,10 @@ public:
          const std::atomic<bool> *cancel);
 
   using FlowRun::inFull;
+  using FlowRun::postponed;
   using FlowRun::visits;
+  /// One of many files that are checked together.
+  void leaveToCallers(const OuterCalls &calls) { outer = &calls; }
   void listen(FlowListener &listener) { listeners.add(listener); }
   /// Takes over what earlier runs of the file have followed under the same rules, and adds to it.
   void reuse(StraightRuns &runs, const RuleHost &rules) {
@@ -44,6 +47,9 @@ public:
   uint64_t blockCount() const { return blocks; }
   bool isComplete() const { return complete; }
   const std::vector<std::string> &cutsMade() const { return cuts; }
+  bool hasAskedOuter() const { return asksOuter; }
+  /// See `AnalysisResult`.
+  FollowedCallsOfFiles followedCalls() const;
 
 private:
   Exits execute(const Region &region, Lives entry) override;

@@ -97,6 +97,26 @@ void FlowRun::issue(FlowIssue kind, const Step &step, const MachineState &before
     });
 }
 
+void FlowRun::noteFollowed(const Step &step, const FileUnit &callee, const MachineState *after) {
+  if (!outer || abstract || &step.unit() == &callee || &step.unit() == &unit)
+    return;
+  uint64_t &groups = followed[step.unit().source.id()][step.block.begin];
+  for (GroupIndex i = 0; i < GroupIndex(unit.dialect->groups.size()); ++i)
+    if (!after || after->group(i) != step.before.group(i) ||
+        !(after->origin.ofGroup(i) == step.before.origin.ofGroup(i)))
+      groups |= uint64_t(1) << i;
+}
+
+const FollowedCall *FlowRun::leftToCallers(const Step &step, const FileUnit &callee) {
+  static constexpr FollowedCall any{0, ~uint64_t(0)};
+  const CallSite *const caller = step.region().caller;
+  if (!outer || !entryUnknown || &callee == &unit || (caller && caller->unit))
+    return nullptr;
+  asksOuter = true;
+  postponed = stopped |= outer->postpones;
+  return postponed ? &any : outer->find(step.block.begin);
+}
+
 const QuickReader *FlowRun::quickReader(const FileUnit &of) {
   if (quick_.first != &of)
     quick_ = {&of, dynamic_cast<const QuickReader *>(of.reader.get())};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/listeners.h"
+#include "analyzer/flow/outer_calls.h"
 #include "analyzer/flow/read_blocks.h"
 #include "analyzer/program/flow_shape.h"
 #include "analyzer/rule/analysis_limits.h"
@@ -82,6 +83,11 @@ struct FlowRun {
     visits.end();
   }
   const FlowShape &shape(const FileUnit &of, const ProgramInfo &program);
+  /// What the block of another file calls in a further one was followed, and has come back with
+  /// `after`; null: it was looked at as far as anybody follows it.
+  void noteFollowed(const Step &step, const FileUnit &callee, const MachineState *after);
+  /// What those who call the program that is run know of the call, when it is left to their checks.
+  const FollowedCall *leftToCallers(const Step &step, const FileUnit &callee);
   /// The file's reader, where it knows short ways; null: it knows none.
   const QuickReader *quickReader(const FileUnit &of);
 
@@ -103,7 +109,11 @@ struct FlowRun {
   uint64_t blocks = 0;      ///< blocks with content of the file's main programs
   bool abstract = false;    ///< the budget is spent: loops are no longer run for real
   const ProgramInfo *mainProgram = nullptr; ///< of the file, see `Engine`
-  bool callerUnknown = false; ///< subprograms that nothing in the file calls are being run
+  bool callerUnknown = false;        ///< subprograms that nothing in the file calls are being run
+  bool entryUnknown = false;         ///< a program whose caller is not known is being run
+  const OuterCalls *outer = nullptr; ///< null: all calls are followed
+  std::map<FileId, std::map<uint32_t, uint64_t>> followed; ///< see `AnalysisResult`
+  bool asksOuter = false, postponed = false;               ///< the same
   bool stopped = false;
   bool inFull = false; ///< every block is read, executed and told in full: see docs/fast-path.md
   bool complete = true;

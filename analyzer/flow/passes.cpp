@@ -144,6 +144,7 @@ void PassRunner::comeBack(const Step &step, const Region &body, const Passes &pa
   if (!passes.known)
     for (Interval &position : state.position)
       position = Interval::unknown();
+  run_.noteFollowed(step, body.unit, &state);
   if (run_.listeners.want(EventKind::CallReturned))
     run_.listeners.tell([&](FlowListener &listener) { listener.callReturned(step, state); });
   step.activation.add(passes.next, std::move(live));

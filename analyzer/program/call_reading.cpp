@@ -73,6 +73,10 @@ FileCalls callsIn(std::string path, llvm::StringRef text, const Dialect &dialect
 
 } // namespace
 
+FileCalls readCallsOf(const SourceFile &file, const Dialect &dialect) {
+  return callsIn(file.path(), file.text(), dialect, ReferenceReader(dialect));
+}
+
 FolderCalls readCalls(const std::string &folder, llvm::StringRef ending, const Dialect &dialect) {
   FolderCalls calls;
   const std::vector<std::string> files = programFiles(folder, ending, dialect);
