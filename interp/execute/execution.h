@@ -160,6 +160,7 @@ private:
   void endProgram(const CodeUse &use);
   void callProgram(const CodeUse &use, bool macro);
   void callModally(const CodeUse &use);
+  void mistakenArguments(const CodeUse &use);
   void callModally(const Item &item);
   Truth firesModalCall() const;
   bool motionCodeAlone() const;

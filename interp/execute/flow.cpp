@@ -48,10 +48,24 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
   if (!macro) {
     if (const Word *q = block_.find('Q'))
       flow.startAt = valueOf(value(*q));
+    mistakenArguments(use);
     return;
   }
   forEachArgument(block_, *use.word, [&](uint32_t variable, const Word &word) {
     flow.arguments.set(variable, valueOf(value(word)));
+  });
+}
+
+/// `M98 P9998 I10. D2.`: the words of a macro call. That they arrive nowhere is told here, and what
+/// the called program makes without them says nothing new.
+void Execution::mistakenArguments(const CodeUse &use) {
+  constexpr AddressMask own = lettersMask("ABCDEHIJKRUVW");
+  if (!dialect_.lexical.macro || dialect_.lexical.arithmetic == Arithmetic::Ngc ||
+      !block_.hasAny(own & ~dialect_.axisWords))
+    return;
+  forEachArgument(block_, *use.word, [&](uint32_t variable, const Word &) {
+    if (state_.locals.given(variable) == Truth::No)
+      state_.locals.set(variable, Value::unknown());
   });
 }
 

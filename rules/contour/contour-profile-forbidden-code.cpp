@@ -193,7 +193,7 @@ private:
     if (auto finding = ctx.report(event))
       // With G1 newer versions of the control take it.
       finding
-          .severity(event.motion == MotionKind::Feed && absolute ? std::optional(Severity::Warning)
+          .severity(event.motion == MotionKind::Feed && absolute ? std::optional(Severity::Style)
                                                                  : std::nullopt)
           .message("a contour begins with a straight block of G90 and G0, which says where its "
                    "start is");

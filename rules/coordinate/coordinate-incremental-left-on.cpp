@@ -29,11 +29,15 @@ public:
     if (to.dialect().group(StandardGroup::Distance) != noGroup) {
       to.onChange({EventKind::CycleRun, EventKind::Motion});
       to.onAction({Action::Absolute});
+      if (!to.dialect().isLathe())
+        to.onAction({Action::WorkOffset});
     }
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
+    if (event.kind == EventKind::Code && ctx.code(event).action == Action::WorkOffset)
+      return atZeroPoint(event, ctx);
     if (event.kind == EventKind::Code) {
       memory().saysAbsolute = true;
       return;
@@ -73,6 +77,27 @@ public:
   }
 
 private:
+  /// `G91 G54 X30. Y20.`: the first place of a tool in a work offset is no distance.
+  static void atZeroPoint(const Event &event, RuleContext &ctx) {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    const CodeUse *const distances = ctx.find({Action::Incremental});
+    if (!distances || ctx.code(*distances).letter != 'G' || ctx.code(event).letter != 'G' ||
+        (axesOf(ctx.dialect(), ctx.block()) & plane) != plane || ctx.before().modalCalls ||
+        ctx.find({Action::ReferenceReturn, Action::MachineMove, Action::DataInput}))
+      return;
+    // All increments of 0 select the work offset alone.
+    if (llvm::all_of(ctx.block().words, [&](const Word &word) {
+          return !(ctx.dialect().axisWords & maskOf(word.address)) ||
+                 (word.isNumber() && word.mantissa == 0);
+        }))
+      return;
+    if (auto finding = ctx.report(*distances->word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` in the block of `{1}`: the first place in a work offset is no distance, "
+                   "and what follows counts so too",
+                   ctx.text(*distances->word), ctx.text(*event.word));
+  }
+
   /// What a called program sets outlives its return: what it has switched on itself it ends.
   static void atReturn(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();

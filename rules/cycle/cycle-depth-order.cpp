@@ -1,4 +1,5 @@
 // The levels of a drilling cycle lie in the wrong order: start, R, depth.
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -38,7 +39,8 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Code)
       ctx.reportNotices(id, event);
-    if (event.kind == EventKind::Code ? !storesPlanes(code) : !makesHole(code.cycle))
+    if (event.kind == EventKind::Code ? !storesPlanes(code)
+                                      : !makesHole(code.cycle) || cycleOutlivesTool(ctx.after()))
       return;
     if (hasPlanes(code))
       planes(event, code, ctx);

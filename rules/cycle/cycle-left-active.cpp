@@ -5,6 +5,7 @@
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_series.h"
+#include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
@@ -30,7 +31,8 @@ struct CycleLeftActiveMemory {
             .fix(FixSafety::Unsafe, "insert " + cancel + " before this block", edit);
     }
   };
-  Origin said; ///< a cycle that was left active at the end of measuring
+  Origin said;       ///< a cycle that was left active at the end of measuring
+  OncePerCause once; ///< by where the cycle becomes active, at G28 and tool changes
   std::map<std::pair<FileId, uint32_t>, Left> returned; ///< by where the cycle becomes active
 };
 
@@ -83,7 +85,13 @@ public:
     // Whatever moves the axes next does so by a motion code.
     if (onlyWhereRun_ && event.kind == EventKind::Code && isPass(*cycle))
       return;
-    if (event.kind == EventKind::Code && isReference(ctx.code(event)))
+    // Home and to the next tool: one end is missing, and told once.
+    const bool reference = event.kind == EventKind::Code && isReference(ctx.code(event));
+    const bool change = event.kind == EventKind::ToolChange;
+    if ((reference || change) && !memory().once.speaks(before.origin.of(StatePart::Cycle), ctx) &&
+        change)
+      return;
+    if (reference)
       underCycle(event, *cycle, active == Truth::Yes, ctx);
     else
       leftActive(event, *cycle, active == Truth::Yes, ctx);

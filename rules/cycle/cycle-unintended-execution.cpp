@@ -51,7 +51,7 @@ public:
     }
     // At a change it was told; what the new tool does has the same cause.
     if (event.code == noCode || ctx.block().words.empty() ||
-        (waits_ && cycleOutlivesTool(ctx.before())))
+        (cycleOutlivesTool(ctx.before()) && (waits_ || ctx.before().may(Fact::MovedSinceTool))))
       return;
     const CodeInfo &code = ctx.code(event);
     if (code.group == noGroup) // a cycle of one block

@@ -1,5 +1,6 @@
 // A feed move or a cutting cycle while the spindle does not turn.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_tool.h"
@@ -71,7 +72,8 @@ public:
       return;
     if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
         (builderStarts_ && builderMayTurnSpindle(ctx)) || isForHandling(state, ctx) ||
-        !memory().once.speaks(origin, ctx) || (startWhereNamed_ && namesNoSpindle(ctx)))
+        isBackBoring(state, ctx) || !memory().once.speaks(origin, ctx) ||
+        (startWhereNamed_ && namesNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
@@ -170,11 +172,11 @@ private:
     constexpr unsigned furthest = 6; // blocks
     const Origin &stop = state.origin.of(StatePart::Spindle);
     const Origin &tool = state.origin.of(StatePart::Tool);
-    const bool perMinute =
-        ctx.dialect().isLathe() && state.isActive(ctx.dialect(), StandardGroup::FeedMode,
-                                                  {Action::FeedPerMinute}) == Truth::Yes;
-    if (!stop.known() || !tool.known() || stop.file != tool.file ||
-        (tool.begin < stop.begin && !perMinute))
+    const bool perMinute = (ctx.dialect().isLathe() || turnsWork(ctx.dialect(), state)) &&
+                           state.isActive(ctx.dialect(), StandardGroup::FeedMode,
+                                          {Action::FeedPerMinute}) == Truth::Yes;
+    const bool calledAfter = tool.known() && stop.file == tool.file && tool.begin >= stop.begin;
+    if (!stop.known() || (!calledAfter && !perMinute))
       return false;
     BlocksAhead ahead(ctx);
     Block next;
@@ -185,6 +187,22 @@ private:
         const CodeIndex code = codeOf(ctx.dialect(), word);
         return code == noCode || isOfChuck(ctx.dialect().codes[code].action);
       }
+    return false;
+  }
+
+  /// A bar for back boring goes through the bore with its edge turned aside, and starts there.
+  static bool isBackBoring(const MachineState &state, const RuleContext &ctx) {
+    constexpr unsigned furthest = 8; // blocks
+    if (state.spindle != spindleOriented)
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (findCode(ctx.dialect(), next, {Action::SpindleCw, Action::SpindleCcw}))
+        return true;
+      if (findCode(ctx.dialect(), next, {Action::ToolChange, Action::Cycle}))
+        return false;
+    }
     return false;
   }
 

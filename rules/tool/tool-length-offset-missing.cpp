@@ -1,5 +1,6 @@
 // A move along the tool axis after a tool change, before length compensation is on.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/retracted_offset.h"
 #include "analyzer/program/block_reading.h"
@@ -48,6 +49,8 @@ public:
         event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
         event.motion == MotionKind::Skip)
       return sleepInShape();
+    if (event.kind == EventKind::CycleRun && cycleOutlivesTool(state))
+      return; // the hole itself is not meant
     // Cancelled on purpose in this block, on the retract; up to the height of the change.
     if (ctx.find({Action::LengthOff}) || leadsUp(event, ctx))
       return;

@@ -25,6 +25,9 @@ public:
       to.on(EventKind::ToolWord);
     else
       to.on(EventKind::OffsetWord);
+    if (!to.dialect().isLathe() && !to.dialect().facts->tools.cuttingEdges &&
+        !to.dialect().zeros.systems)
+      to.onAction({Action::CompensationLeft, Action::CompensationRight});
     edges_ = to.dialect().facts->tools.cuttingEdges && !to.dialect().toolChangeByT;
     if (edges_) {
       to.on({EventKind::ToolChange, EventKind::ToolWord});
@@ -38,6 +41,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (edges_)
       return edge(event, ctx);
+    if (event.kind == EventKind::Code)
+      return radiusOfOther(event, ctx);
     const MachineState &state = ctx.after();
     const Word &word = *event.word;
     if (event.kind == EventKind::ToolWord) {
@@ -87,6 +92,24 @@ public:
   }
 
 private:
+  /// `G41 X5.` without a D: the number that is in force was given for the tool before.
+  static void radiusOfOther(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const Origin &given = after.origin.of(StatePart::RadiusOffset);
+    const Origin &tool = after.origin.of(StatePart::Tool);
+    if (ctx.block().has(letterAddress('D')) || after.radiusOffset <= 0 || after.tool <= 0 ||
+        after.radiusOffset == after.tool || before.may(Fact::UnknownCode) || !given.known() ||
+        !tool.known() || given.file != tool.file || given.begin >= tool.begin)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` works with D{1}, which was given for another tool: tool {2} has none of "
+                   "its own",
+                   ctx.text(*event.word), int(after.radiusOffset), int(after.tool))
+          .note(given, "the number is given here")
+          .note(tool, "the tool is changed here");
+  }
+
   bool edges_ = false; ///< a tool comes with edges, of which its change takes the first
 
   /// `T2`, `D2`, `M6`: the change takes the first edge again.
