@@ -72,19 +72,36 @@ inline bool namesNoSpindle(const RuleContext &ctx) {
          noRunningProgramHas(ctx, [&](const Block &block) { return block.hasAny(words); });
 }
 
+/// Whether the current program, or one that has called it, has M codes that only the machine's
+/// builder knows.
+inline bool hasBuilderCodes(const RuleContext &ctx) {
+  const Dialect &dialect = ctx.dialect();
+  return !noRunningProgramHas(ctx, [&](const Block &block) {
+    return llvm::any_of(block.words, [&](const Word &word) {
+      return word.address == letterAddress('M') && codeOf(dialect, word) == noCode;
+    });
+  });
+}
+
+/// Whether the current program, and those that have called it, give no feed.
+inline bool namesNoFeed(const RuleContext &ctx) {
+  const AddressMask words = maskOf(letterAddress('F')) | ctx.dialect().feedWords;
+  return noRunningProgramHas(ctx, [&](const Block &block) { return block.hasAny(words); });
+}
+
+/// Whether all that turns a spindle in the current programs is the builder's.
+inline bool builderTurnsAll(const RuleContext &ctx) {
+  return startsNoSpindle(ctx) && hasBuilderCodes(ctx);
+}
+
 /// Whether the spindle of such a program may be turned by a code of the builder: it holds one that
 /// the table lacks, or names no speed that a spindle would be missing for.
 inline bool builderMayTurnSpindle(const RuleContext &ctx) {
   if (!startsNoSpindle(ctx))
     return false;
-  const Dialect &dialect = ctx.dialect();
   return noRunningProgramHas(ctx,
                              [](const Block &block) { return block.has(letterAddress('S')); }) ||
-         !noRunningProgramHas(ctx, [&](const Block &block) {
-           return llvm::any_of(block.words, [&](const Word &word) {
-             return word.address == letterAddress('M') && codeOf(dialect, word) == noCode;
-           });
-         });
+         hasBuilderCodes(ctx);
 }
 
 } // namespace ncvet

@@ -130,12 +130,32 @@ const FlowShape &FlowRun::shape(const FileUnit &of, const ProgramInfo &program) 
   return found->second;
 }
 
+/// What has been done before the next block, as far as a program that nobody knows may have done
+/// it: who calls it expects the control ready to go on.
+constexpr Fact preparedByAny[] = {
+    Fact::ToolCalled,       Fact::Moved,         Fact::FeedSet,          Fact::SpeedSet,
+    Fact::SpeedSinceMode,   Fact::SpeedLimitSet, Fact::WorkOffsetStated, Fact::LengthSinceTool,
+    Fact::AwayFromPart,     Fact::PoleSet,       Fact::PolarRadiusSet,   Fact::OrientedSinceTool,
+    Fact::ReferenceReturned};
+/// What it hardly leaves so.
+constexpr Fact leftByNone[] = {Fact::UnknownCode, Fact::SpindleStoppedByTap, Fact::FeedIsLead,
+                               Fact::FeedCarried, Fact::PlungedUncompensated};
+
 void forget(MachineState &state, const Dialect &dialect) {
-  const OriginState origin = state.origin;
-  const ProfileMode profile = state.profile;
+  const MachineState before = state;
   state = unknownState(dialect);
-  state.origin = origin;
-  state.profile = profile;
+  state.origin = before.origin;
+  state.profile = before.profile;
+  // After a code that nobody knows there may be modes of which the state has no part. Else each
+  // part is unknown until the program says it anew; then it is known again.
+  if (before.may(Fact::UnknownCode))
+    return;
+  for (const Fact fact : preparedByAny)
+    state.set(fact);
+  for (const Fact fact : leftByNone)
+    state.clear(fact);
+  if (!before.modalCalls)
+    state.modalCalls = nullptr;
 }
 
 } // namespace ncvet

@@ -1,6 +1,8 @@
 // Switches of the machine that a program leaves on: what all the `…-left-on` rules share.
 #include "analyzer/rule/switch_left_on.h"
 
+#include "interp/state/any_state.h"
+
 #include "llvm/ADT/StringExtras.h"
 
 namespace ncvet {
@@ -68,8 +70,8 @@ void reportLeftOn(llvm::StringRef id, const Event &event, RuleContext &ctx) {
       may &= ctx.before().switchMayBeOn(i);
     }
     // After a code that nobody knows everything may be on: only what is certain counts.
-    if (!may ||
-        (!must && (ctx.after().may(Fact::UnknownCode) || !ctx.after().origin.ofSwitch(i).known())))
+    if (!may || (!must && (ctx.after().may(Fact::UnknownCode) || anySwitchMayBeOn(ctx.after()) ||
+                           !ctx.after().origin.ofSwitch(i).known())))
       continue;
     left.push_back(i);
     certain |= must;

@@ -425,13 +425,12 @@ CodeIndex Execution::macroOfBuilder(const Word &word) const {
 void Execution::unknownCode(const Word &word) {
   Event &event = outcome_.emit(EventKind::UnknownCode);
   event.word = &word;
-  state_.set(Fact::UnknownCode);
+  // What the machine's builder does on a mill with an M code leaves the modes of G codes alone.
+  if (word.address != letterAddress('M') || dialect_.isLathe())
+    state_.set(Fact::UnknownCode);
   if (word.address == letterAddress('M')) {
     // The machine's builder knows what it does: it may start or stop anything.
-    state_.spindle = spindleAny;
-    if (!hasOneSpindle(dialect_))
-      state_.liveTool = spindleAny;
-    state_.clear(Fact::SpindleStoppedByTap);
+    turnAnySpindle();
     stateUse.everything();
     const uint32_t modes = switchesOfG(dialect_);
     state_.switches.may |= ~modes;

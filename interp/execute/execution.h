@@ -144,6 +144,7 @@ private:
   void setSpindle(uint8_t direction, const CodeUse &use);
   void orientSpindle(const CodeUse &use);
   void turnAnything(const CodeUse &use);
+  void turnAnySpindle();
   void takeTool(const CodeUse &use);
   void nameTool(const CodeUse &use);
   void changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by);

@@ -145,16 +145,18 @@ void Execution::otherSpindle(const Item &item) {
   if (item.kind != ItemKind::Output || item.target == noExpression)
     return;
   if (item.count != noExpression) {
-    constexpr double clockwise = 3, counterClockwise = 4;
+    constexpr double clockwise = 3, counterClockwise = 4, stop = 5;
     const Value function = evaluate(block_, item.value, state_, nullptr);
-    if (function.isConstant() && function.number.value() != clockwise &&
-        function.number.value() != counterClockwise)
-      return;
-    outcome_.setupChanged = true;
-    state_.liveTool = spindleAny;
+    const double number = function.isConstant() ? function.number.value() : clockwise;
+    if (number == clockwise || number == counterClockwise) {
+      outcome_.setupChanged = true;
+      state_.liveTool = number == clockwise ? spindleCw : spindleCcw;
+    } else if (number == stop && state_.liveTool != spindleOff) {
+      state_.liveTool = spindleAny; // which one has stopped is not kept
+    }
     return;
   }
-  if (state_.spindle != spindleAny && state_.liveTool != spindleAny)
+  if (state_.spindle != spindleAny && state_.liveTool == spindleOff)
     return;
   outcome_.setupChanged = true;
   state_.speed = Interval::unknown();
@@ -205,7 +207,9 @@ void Execution::orientSpindle(const CodeUse &use) {
 }
 
 /// The machine's builder knows what the code does.
-void Execution::turnAnything(const CodeUse &) {
+void Execution::turnAnything(const CodeUse &) { turnAnySpindle(); }
+
+void Execution::turnAnySpindle() {
   state_.spindle = spindleAny;
   if (!hasOneSpindle(dialect_))
     state_.liveTool = spindleAny;

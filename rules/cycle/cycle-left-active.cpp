@@ -8,6 +8,7 @@
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
+#include "interp/state/any_state.h"
 
 #include <map>
 
@@ -64,7 +65,8 @@ public:
       return;
     }
     const Truth active = before.cycleActive(dialect);
-    if (before.may(Fact::UnknownCode))
+    if (before.may(Fact::UnknownCode) ||
+        (active == Truth::Unknown && anyCycleMayBeOn(before, dialect)))
       return;
     if (active == Truth::No) {
       if (event.kind == EventKind::ProgramEnd)

@@ -1,5 +1,6 @@
 // A feed move or cutting cycle runs without a feed ever having been programmed.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/silent_program.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -53,8 +54,10 @@ public:
     }
     if (isNoWay(event, ctx))
       return;
-    // Only the first cut: it is the same mistake in all that follow.
-    if (!memory().once.speaks(ctx.after().origin.of(StatePart::Feed), ctx))
+    // Only the first cut: it is the same mistake in all that follow. Where the program has no feed
+    // at all and codes that only the builder knows, these may set the conditions.
+    if (!memory().once.speaks(ctx.after().origin.of(StatePart::Feed), ctx) ||
+        (hasBuilderCodes(ctx) && namesNoFeed(ctx)))
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
     if (auto finding = ctx.report(event, certain))

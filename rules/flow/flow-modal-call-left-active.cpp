@@ -2,6 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
+#include "interp/state/any_state.h"
 
 namespace ncvet {
 namespace {
@@ -35,7 +36,8 @@ public:
     if (cycle == Truth::No && call == Truth::No)
       return;
     // After codes that nobody knows only what the program has begun itself is certain.
-    if (state.may(Fact::UnknownCode) && cycle != Truth::Yes && call != Truth::Yes)
+    if ((state.may(Fact::UnknownCode) || anyCycleMayBeOn(state, ctx.dialect())) &&
+        cycle != Truth::Yes && call != Truth::Yes)
       return;
     if (!memory().once.speaks(begins(state, cycle), ctx))
       return;

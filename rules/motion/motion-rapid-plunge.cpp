@@ -17,21 +17,23 @@ struct MotionRapidPlungeMemory {
 class MotionRapidPlunge final : public StatefulRule<MotionRapidPlungeMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().isLathe())
-      return;
+    to.onMoves({MotionKind::Rapid});
+    lathe_ = to.dialect().isLathe();
     const MachineProfile &machine = to.machine();
     top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
                                                   : machine.number("stockTopZ");
     wanted_ = to.flag("belowZero");
-    to.onMoves({MotionKind::Rapid});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
+    if (lathe_)
+      return alongWork(event, ctx);
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
     if (isRapidWithFeed(ctx) && !endsLowerBelowZero(ctx))
       memory().feedsRapids = true;
     alongOther(event, ctx);
+    belowOthers(event, ctx);
     if (!(event.axes & tool) || event.inMachineCoordinates() || !from.isConstant() ||
         !to.isConstant() || ctx.before().inMachineCoordinates(Axis::Z) ||
         ctx.after().inMachineCoordinates(Axis::Z) || to.value() >= from.value() ||
@@ -81,6 +83,74 @@ private:
       finding.message("this rapid move ends {0} inside the stock, along the tool: it goes into "
                       "the work at full speed",
                       shortLength(ctx, *stock.max[axis] - to.value()));
+  }
+
+  /// A lathe: a rapid move along the work with a feed in its block, after which the tool retracts
+  /// at once. It has cut nothing, or everything at full speed: G1 was meant.
+  void alongWork(const Event &event, RuleContext &ctx) const {
+    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
+    if (!ctx.block().has(letterAddress('F')))
+      return;
+    if (event.axes != 1u << unsigned(Axis::Z) || !event.certain || event.inMachineCoordinates() ||
+        !from.isConstant() || !to.isConstant() || to.value() >= from.value() || to.value() >= 0 ||
+        ctx.before().inMachineCoordinates(Axis::Z) || ctx.before().may(Fact::UnknownCode) ||
+        hasWorkOfItsOwn(ctx) || !ctx.find({Action::Rapid}) || !retractsNext(ctx)) {
+      memory().feedsRapids = true;
+      return;
+    }
+    if (memory().feedsRapids)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("this rapid move along the work has a feed, and the tool retracts after it: "
+                      "it is not fed, it goes through at full speed");
+  }
+
+  /// The next move leads away from the work in X, at rapid.
+  static bool retractsNext(const RuleContext &ctx) {
+    constexpr uint16_t x = 1u << unsigned(Axis::X);
+    BlocksAhead ahead(ctx);
+    Block next;
+    if (!ahead.next(next) || !(axesOf(ctx.dialect(), next) & x) ||
+        (hasMotionCode(ctx.dialect(), next) && !findCode(ctx.dialect(), next, {Action::Rapid})))
+      return false;
+    if (const Word *u = next.find(letterAddress('U')))
+      return u->isNumber() && u->value() > 0;
+    const Word *const word = next.find(letterAddress('X'));
+    const Interval &at = ctx.after().at(Axis::X);
+    return word && word->isNumber() && at.isConstant() && word->value() > at.value();
+  }
+
+  /// `G43 H3 Z-50.` where the other tools come down to above zero: the sign is missing there.
+  void belowOthers(const Event &event, RuleContext &ctx) const {
+    const Interval &to = ctx.after().at(Axis::Z);
+    if (!(event.axes >> unsigned(Axis::Z) & 1) || !to.isConstant() || to.value() >= 0 ||
+        !event.certain || event.inMachineCoordinates() || !ctx.after().frames.empty() ||
+        ctx.before().may(Fact::UnknownCode) || !comesWithLength(ctx.dialect(), ctx.block()) ||
+        ctx.callDepth() > 0 || !othersComeAbove(ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("the tool comes down at rapid to {0} below zero, and all others of the "
+                      "program to above it",
+                      shortLength(ctx, -to.value()));
+  }
+
+  /// The block puts a length in force, and says how low the tool goes with it.
+  static bool comesWithLength(const Dialect &dialect, const Block &block) {
+    const Word *const z = block.find(letterAddress('Z'));
+    return z && z->isNumber() && findCode(dialect, block, {Action::LengthPositive}) &&
+           !findCode(dialect, block, {Action::Incremental, Action::Linear, Action::MachineMove});
+  }
+
+  /// At least two tools of the program come to above zero with their length, and but this one none
+  /// to below.
+  static bool othersComeAbove(const RuleContext &ctx) {
+    constexpr unsigned habit = 2; // tools
+    unsigned above = 0, below = 0;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+      if (comesWithLength(ctx.dialect(), block))
+        ++(block.find(letterAddress('Z'))->value() > 0 ? above : below);
+    return above >= habit && below == 1;
   }
 
   /// The path down leads through a clamp.
@@ -218,6 +288,7 @@ private:
 
   std::optional<double> top_;
   bool wanted_ = false;
+  bool lathe_ = false;
 };
 
 } // namespace

@@ -53,7 +53,7 @@ public:
     // The feed per revolution is that of the main spindle, whatever else turns.
     const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
                                               {Action::FeedPerRevolution}) == Truth::Yes;
-    if (live == spindleAny && perRevolution && masterFeeds_)
+    if (perRevolution && masterFeeds_)
       live = spindleOff;
     if (!mayStop(state.spindle, live))
       return sleepInShape();
@@ -71,8 +71,9 @@ public:
          (anyMachine_ && saysNothingOfTools(ctx))))
       return;
     if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
-        (builderStarts_ && builderMayTurnSpindle(ctx)) || isForHandling(state, ctx) ||
-        isBackBoring(state, ctx) || !memory().once.speaks(origin, ctx) ||
+        (builderStarts_ ? builderMayTurnSpindle(ctx) : builderTurnsAll(ctx)) ||
+        isForHandling(state, ctx) || isBackBoring(state, ctx) ||
+        !memory().once.speaks(origin, ctx) ||
         (startWhereNamed_ && namesNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {

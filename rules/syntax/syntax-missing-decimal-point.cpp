@@ -141,7 +141,7 @@ private:
   /// Keeps the lengths of the block that have no point.
   void collect(RuleContext &ctx) const {
     std::vector<SourceRange> &places = memory().places;
-    if (places.size() >= enough || ctx.before().switches.mayBeOn(dataInput_) ||
+    if (places.size() >= enough || ctx.before().switches.areOn(dataInput_) ||
         (ctx.outcome().kinds & bitOf(EventKind::UnknownCode)))
       return;
     if (ctx.find({Action::MacroCall, Action::MacroModal}))
@@ -154,7 +154,7 @@ private:
           code.action == Action::CallProgram || code.action == Action::None ||
           code.action == Action::ScalingOn || code.action == Action::CallLocal ||
           (code.action == Action::Cycle && code.group == noGroup) ||
-          (code.letter == 'M' && (code.takes || !code.words.empty())))
+          (code.letter == 'M' && takesLength(code, ctx.block())))
         return;
     }
     for (const Word &word : ctx.block().words)
@@ -170,6 +170,12 @@ private:
         return (spec.any & maskOf(address)) && spec.pointAdvised && !*spec.pointAdvised;
       });
     });
+  }
+
+  /// A code of the machine, such as the angle of an oriented stop, counts in units of its own.
+  bool takesLength(const CodeInfo &code, const Block &block) const {
+    return block.hasAny(code.takes & lengths_) ||
+           llvm::any_of(code.words, [&](const WordSpec &word) { return word.any & lengths_; });
   }
 
   /// Arguments of a macro, some of which have a point.

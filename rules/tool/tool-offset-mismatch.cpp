@@ -63,7 +63,7 @@ public:
       }
       return;
     }
-    if (ctx.before().switches.mayBeOn(dataInput_)) // what is in the block are data
+    if (ctx.before().switches.areOn(dataInput_)) // what is in the block are data
       return;
     // A tool's own edges are numbered from 1; an H still names a tool of the table.
     if (ctx.dialect().offsetsOfTool && word.address != letterAddress('H'))
@@ -186,14 +186,18 @@ private:
     return known.keep.count(number) && known.others.size() == 1;
   }
 
-  /// The lengths of all other tools of the file, three at least, have the numbers of their tools:
-  /// what is a shop's scheme elsewhere is a slip here.
+  /// The lengths of all other tools of the file, two at least, have the numbers of their tools:
+  /// what is a shop's scheme elsewhere is a slip here. A second length of a tool often lies tens
+  /// above its first one.
   bool breaksHabit(const Word &word, const RuleContext &ctx) const {
-    constexpr size_t habit = 3; // tools
+    constexpr size_t habit = 2, sure = 3; // tools
+    constexpr int64_t ten = 10;
     if (word.address != letterAddress('H'))
       return false;
     const Memory &known = numbersOfFile(ctx);
-    return known.keep.size() >= habit && known.others.size() == 1;
+    return known.others.size() == 1 &&
+           (known.keep.size() >= sure ||
+            (known.keep.size() >= habit && (int64_t(word.value()) - *known.others.begin()) % ten));
   }
 
   /// The numbers of T and H, by a look at the whole file, once.

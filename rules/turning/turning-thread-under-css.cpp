@@ -29,7 +29,9 @@ public:
       return;
     const Truth css =
         state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed});
-    if (css == Truth::No || (css == Truth::Unknown && state.may(Fact::UnknownCode)))
+    if (css == Truth::No ||
+        (css == Truth::Unknown && (state.may(Fact::UnknownCode) ||
+                                   !state.isStated(ctx.dialect().group(StandardGroup::SpeedMode)))))
       return;
     const Word *word = ctx.codeWord(event);
     if (!word) // a further pass or hole of what was reported already
