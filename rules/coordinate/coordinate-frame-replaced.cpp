@@ -27,7 +27,7 @@ public:
     if (origin.known() && ctx.text(origin.range()).equals_insensitive(ctx.text(*event.word)) &&
         !isOfOtherAxis(origin, ctx))
       return;
-    if (beganAlike(code, ctx))
+    if (beganAlike(code, ctx) || isReset(code, ctx))
       return;
     if (auto finding = ctx.report(event))
       finding
@@ -52,6 +52,15 @@ private:
       added |= frame != nullptr;
     }
     return false;
+  }
+
+  /// `TRANS X0 Y0 Z0` takes the frame away, and says so.
+  static bool isReset(const CodeInfo &code, const RuleContext &ctx) {
+    const AddressMask axes = ctx.dialect().axisWords;
+    return code.frame == FrameKind::Shift && ctx.block().hasAny(axes) &&
+           llvm::all_of(ctx.block().words, [&](const Word &word) {
+             return !(maskOf(word.address) & axes) || (word.isNumber() && word.mantissa == 0);
+           });
   }
 
   /// The block before gives the same frame for another axis, and nothing has moved in it.

@@ -73,8 +73,7 @@ public:
     if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
         (builderStarts_ ? builderMayTurnSpindle(ctx) : builderTurnsAll(ctx)) ||
         isForHandling(state, ctx) || isBackBoring(state, ctx) ||
-        !memory().once.speaks(origin, ctx) ||
-        (startWhereNamed_ && namesNoSpindle(ctx)))
+        !memory().once.speaks(origin, ctx) || (startWhereNamed_ && namesNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
