@@ -57,8 +57,9 @@ public:
       return;
     }
     if (event.flowIssue() == FlowIssue::IntoStructure) {
+      // Machines that are delivered so jump into an IF: its end does nothing.
       if (auto finding = ctx.report(ctx.flowRange(), event.certain))
-        finding
+        finding.severity(isInIf(ctx) ? std::optional(Severity::Warning) : std::nullopt)
             .message("`{0}` leads into a bracket of structured flow from outside: its head never "
                      "ran",
                      ctx.text(ctx.flowRange()))
@@ -96,6 +97,38 @@ public:
   }
 
 private:
+  /// Whether the innermost bracket round the target is an IF.
+  static bool isInIf(const RuleContext &ctx) {
+    const SourceRange target = ctx.flowRelated();
+    const FileIndex &index = ctx.indexOf(target.file);
+    llvm::SmallVector<Structure, 4> open;
+    for (const Block &block : blocks(index, index.programAt(target.begin).body, target.begin))
+      for (const Item &item : block.items) {
+        if (item.kind != ItemKind::Structure)
+          continue;
+        switch (item.structure) {
+        case Structure::If:
+        case Structure::While:
+        case Structure::For:
+        case Structure::Loop:
+        case Structure::Repeat:
+          open.push_back(item.structure);
+          break;
+        case Structure::EndIf:
+        case Structure::EndWhile:
+        case Structure::EndFor:
+        case Structure::EndLoop:
+        case Structure::Until:
+          if (!open.empty())
+            open.pop_back();
+          break;
+        default:
+          break;
+        }
+      }
+    return !open.empty() && open.back() == Structure::If;
+  }
+
   /// A word of the language that opens something which another one ends: `GROUP_BEGIN`.
   static bool isPair(const Dialect &dialect, const CodeInfo &code) {
     return !code.letter && code.action == Action::None && code.group == noGroup &&
