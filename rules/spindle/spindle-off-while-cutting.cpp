@@ -193,7 +193,6 @@ private:
   /// A bar for back boring goes through the bore with its edge turned aside, and starts there.
   static bool isBackBoring(const MachineState &state, const RuleContext &ctx) {
     constexpr unsigned furthest = 8; // blocks
-    constexpr uint16_t z = 1u << unsigned(Axis::Z);
     if (state.spindle != spindleOriented)
       return false;
     BlocksAhead ahead(ctx);
@@ -203,9 +202,6 @@ private:
         return true;
       if (findCode(ctx.dialect(), next, {Action::ToolChange, Action::Cycle}))
         return false;
-      // On its way out the bar goes aside at feed, and up at rapid.
-      if ((axesOf(ctx.dialect(), next) & z) && findCode(ctx.dialect(), next, {Action::Rapid}))
-        return !(axesOf(ctx.dialect(), ctx.block()) & z);
     }
     return false;
   }
