@@ -57,7 +57,7 @@ public:
     return at == runs_.end() ? ~0u : (*at)->begin;
   }
   /// Runs that begin inside of the new one have been overtaken.
-  void insert(Run run) { insert(std::make_unique<Run>(std::move(run))); }
+  void insert(Run run) { put(runs_, std::make_unique<Run>(std::move(run))); }
   void erase(uint32_t offset) {
     const auto at = from(runs_, offset);
     if (isAt(runs_, at, offset))
@@ -67,18 +67,9 @@ public:
   /// that was that takes its place, if it `fits`. The run that is there then, or null.
   template <typename Fits>
   Run *exchange(uint32_t offset, Fits fits) {
-    const auto at = from(runs_, offset);
-    auto before = from(earlier_, offset);
-    if (!isAt(earlier_, before, offset))
-      before = earlier_.insert(before, nullptr);
-    std::swap(*at, *before);
-    if (*at && fits(**at)) {
-      Owned fitting = std::move(*at);
-      runs_.erase(at);
-      return insert(std::move(fitting));
-    }
-    runs_.erase(at);
-    return nullptr;
+    Owned present = take(runs_, offset), before = take(earlier_, offset);
+    put(earlier_, std::move(present));
+    return before && fits(*before) ? put(runs_, std::move(before)) : nullptr;
   }
   /// Runs of which `spoils` says so are forgotten; it moves the others.
   template <typename Spoils>
@@ -108,11 +99,19 @@ private:
   static bool isAt(const Runs &runs, At at, uint32_t offset) {
     return at != runs.end() && (*at)->begin == offset;
   }
-  Run *insert(Owned run) {
-    const auto first = from(runs_, run->begin),
-               last = from(runs_, std::max(run->end, run->begin + 1));
-    const auto at = runs_.erase(first, last);
-    return runs_.insert(at, std::move(run))->get();
+  static Owned take(Runs &runs, uint32_t offset) {
+    const auto at = from(runs, offset);
+    if (!isAt(runs, at, offset))
+      return nullptr;
+    Owned run = std::move(*at);
+    runs.erase(at);
+    return run;
+  }
+  static Run *put(Runs &runs, Owned run) {
+    const auto first = from(runs, run->begin),
+               last = from(runs, std::max(run->end, run->begin + 1));
+    const auto at = runs.erase(first, last);
+    return runs.insert(at, std::move(run))->get();
   }
 
   Runs runs_, earlier_;
