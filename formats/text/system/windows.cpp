@@ -4,8 +4,10 @@
 #include "llvm/Support/ConvertUTF.h"
 #include <fcntl.h>
 #include <io.h>
-#include <psapi.h>   // needs the one before it
+// clang-format off: the second needs the first
+#include <psapi.h>
 #include <windows.h> // with the shell
+// clang-format on
 
 #include <algorithm>
 #include <cerrno>
