@@ -4,10 +4,7 @@
 #include "llvm/Support/ConvertUTF.h"
 #include <fcntl.h>
 #include <io.h>
-// clang-format off: the second needs the first
-#include <psapi.h>
 #include <windows.h> // with the shell
-// clang-format on
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +12,9 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#define PSAPI_VERSION 2 // in the system's own library
+#include <psapi.h>      // needs windows.h before it
 
 namespace ncvet::system {
 
