@@ -126,6 +126,8 @@ struct CycleFacts {
   /// The contour that a milling cycle reads is a closed outline of moves alone, at most this many;
   /// 0: it is no outline.
   unsigned outlineMoves = 0;
+  /// The contour that a milling cycle reads begins with G0 and with nothing else.
+  bool contourBeginsAtRapid = false;
   /// The call of another cycle takes the place of the one in force.
   bool newCallReplaces = false;
   /// Back boring leaves the bore whatever the return level is.

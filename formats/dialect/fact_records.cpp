@@ -149,6 +149,9 @@ constexpr Field cyclesFields[] = {
         "the contour that a milling cycle reads is a closed outline of moves alone, at most this "
         "many; 0: it is no outline",
         "40"),
+    flag<&CycleFacts::contourBeginsAtRapid>(
+        "contourBeginsAtRapid",
+        "the contour that a milling cycle reads begins with G0 and with nothing else"),
     flag<&CycleFacts::backBoreAtAnyLevel>(
         "backBoreAtAnyLevel", "back boring leaves the bore whatever the return level is"),
     flag<&CycleFacts::newCallReplaces>(

@@ -37,7 +37,7 @@ public:
     if (active == Truth::No)
       return sleepInShape();
     if (!ctx.after().origin.of(StatePart::Compensation).known() || !disturbs(code, ctx) ||
-        outlivesTool(ctx.before()))
+        (outlivesTool(ctx.before()) && !turnsFrame(code)))
       return;
     const bool wasOn = ctx.before().compensationActive(ctx.dialect()) != Truth::No;
     // Switched on in this very block: a unit or an offset comes before the move.
@@ -73,6 +73,13 @@ private:
                    ctx.text(range), on ? "`" + on->name + "`" : std::string("compensation"))
           .note(origin, "compensation is switched on here");
     }
+  }
+
+  /// What each tool begins and ends with has the cause that was told at its change; a frame is a
+  /// decision about the contour that follows.
+  static bool turnsFrame(const CodeInfo &code) {
+    return code.action == Action::FrameSet || code.action == Action::FrameAdd ||
+           code.action == Action::FrameClear;
   }
 
   bool disturbs(const CodeInfo &code, RuleContext &ctx) const {

@@ -19,6 +19,7 @@ public:
       records_ |= code.action == Action::ProfileBegin;
     to.onChange({EventKind::Block});
     most_ = to.dialect().facts->cycles.outlineMoves;
+    rapidOnly_ = to.dialect().facts->cycles.contourBeginsAtRapid;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -93,8 +94,9 @@ private:
     }
   }
 
-  bool records_ = false; ///< the control records profiles
-  unsigned most_ = 0;    ///< moves of a contour that is an outline; 0: it is none
+  bool records_ = false;   ///< the control records profiles
+  unsigned most_ = 0;      ///< moves of a contour that is an outline; 0: it is none
+  bool rapidOnly_ = false; ///< the first block of a contour is one of G0
 
   void atCode(const Event &event, RuleContext &ctx) const {
     switch (ctx.code(event).action) {
@@ -191,10 +193,11 @@ private:
     if (event.motion == MotionKind::Rapid && absolute)
       return unstated(event, ctx);
     if (auto finding = ctx.report(event))
-      // With G1 newer versions of the control take it.
+      // Other versions of the control take it with G1.
       finding
-          .severity(event.motion == MotionKind::Feed && absolute ? std::optional(Severity::Style)
-                                                                 : std::nullopt)
+          .severity(!rapidOnly_ && event.motion == MotionKind::Feed && absolute
+                        ? std::optional(Severity::Style)
+                        : std::nullopt)
           .message("a contour begins with a straight block of G90 and G0, which says where its "
                    "start is");
   }
