@@ -3,6 +3,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
 
