@@ -33,6 +33,8 @@ mkdirSync(join(out, 'examples'), { recursive: true });
 for (const name of ['page.css', 'page.js', 'worker.js'])
   copyFileSync(join(here, name), join(out, name));
 for (const name of ['module.js', 'ncvet.wasm']) copyFileSync(join(lib, name), join(out, name));
+// What makes the pages of rules readable, from Debian's package node-marked.
+copyFileSync('/usr/share/nodejs/marked/lib/marked.umd.min.js', join(out, 'marked.js'));
 
 const programs = join(top, 'tests', 'programs', 'examples');
 const examples = readdirSync(programs)

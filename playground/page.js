@@ -272,7 +272,7 @@ async function explain(rule) {
     rule,
     control: state.report?.files[0]?.dialect ?? ''
   });
-  byId('page').textContent = answer.page;
+  byId('page').innerHTML = marked.parse(answer.page); // a page of ncvet, no text of anybody else
   byId('page').scrollTop = 0;
   showTab('page');
 }

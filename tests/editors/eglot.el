@@ -42,7 +42,7 @@
   "Wait for CONDITION, a function, for at most half a minute; nil when it does not come."
   (let ((end (+ (float-time) 30)))
     (while (and (not (funcall condition)) (< (float-time) end))
-      (accept-process-output nil 0.02))
+      (accept-process-output nil 0.002))
     (or (funcall condition) (progn (say-wrong "waited in vain for %s" what) nil))))
 
 (defun settle ()
