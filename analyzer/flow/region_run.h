@@ -40,9 +40,11 @@ private:
   bool goOnInStretch();
   bool mayGoOn() const;
   void goOnOnce(Live &live);
+  void tellOnce(Live &live);
   bool readOver();
   bool nobodyIsTold() const;
   void goOnUntold(Live &live);
+  void goOnRecorded(Live &live);
   /// Whether the block at `at_` is the only one that follows, for one state.
   bool goesStraight() const {
     return lives_.size() == 1 && synced_ == &*lives_[0].state && activation_.pending.next() > at_ &&

@@ -34,7 +34,11 @@ bool RegionRun::goOnInStretch() {
       break;
     if (noteRead() && spend())
       goOnOnce(live);
-    if (nobodyIsTold())
+    if (!nobodyIsTold())
+      continue;
+    if (recorder_)
+      goOnRecorded(live);
+    else
       goOnUntold(live);
   }
   return at_ != first;
@@ -50,10 +54,10 @@ bool RegionRun::readOver() {
   return true;
 }
 
-/// Whether nobody who listens is told of further blocks of the stretch, and nothing is recorded.
+/// Whether nobody who listens is told of further blocks of the stretch.
 bool RegionRun::nobodyIsTold() const {
-  return !recorder_ && !replay_ && run_.used.localSubprograms.empty() &&
-         run_.used.finishedAhead.empty() && run_.listeners.sleepThrough(run_.stretch);
+  return !replay_ && run_.used.localSubprograms.empty() && run_.used.finishedAhead.empty() &&
+         run_.listeners.sleepThrough(run_.stretch);
 }
 
 /// As `goOnInStretch` where nobody is told of the blocks, but perhaps of those that lead nowhere.
@@ -77,6 +81,38 @@ void RegionRun::goOnUntold(Live &live) {
   }
 }
 
+/// As `goOnUntold`, up to where what is recorded has to be looked at. What blocks and sleeping
+/// rules look at was noted at the first block after the last time.
+void RegionRun::goOnRecorded(Live &live) {
+  if (!mayGoOn() || block_->skip >= 0 || run_.stopped)
+    return;
+  const auto [most, before] = recorder_->unasked(at_);
+  const uint32_t limit = std::min(before, straightLimit());
+  const bool wantStill = run_.listeners.wantStill();
+  std::pair<uint32_t, uint32_t> last;
+  uint64_t made = 0;
+  bool isStill = false;
+  while (made < most && at_ < limit && !isStill &&
+         quick_->readAlike(at_, unit_.dialect->axisWords, *pattern_) && noteRead() && spend()) {
+    keepBefore(live.state);
+    done_ = nullptr;
+    move_->make(*block_, unit_.source.id(), before_, live.state);
+    isStill = wantStill && move_->leadsNowhere(before_, live.state);
+    if (isStill)
+      break;
+    last = {block_->begin, block_->end};
+    at_ = next_;
+    ++made;
+  }
+  if (made)
+    recorder_->executedUnasked(last, made);
+  if (!isStill)
+    return;
+  run_.visits.begin();
+  run_.visits.visit(live.path);
+  tellOnce(live);
+}
+
 /// Whether the block at `at_` follows straight on, for one state that has the facts of the last
 /// one.
 bool RegionRun::mayGoOn() const { return goesStraight() && plainRun_.repeats(lives_[0].state); }
@@ -91,6 +127,11 @@ void RegionRun::goOnOnce(Live &live) {
   run_.visits.visit(live.path);
   if (block_->number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
     runsInto(live);
+  tellOnce(live);
+}
+
+/// Tells of a block of the stretch that was executed, after what is looked at before that.
+void RegionRun::tellOnce(Live &live) {
   run_.listeners.executed(stepOf(live), true, run_.stopped);
   run_.endStop();
   at_ = next_;

@@ -5,10 +5,11 @@ namespace ncvet {
 
 namespace {
 
-/// After so many blocks it is seen whether they still are a run.
-constexpr unsigned step = 32;
-/// The same of blocks that only go on, which end at any other one.
-constexpr unsigned stretchStep = 16;
+/// After so many blocks it is seen whether they still are a run; of a run that is long already,
+/// after more of them.
+constexpr unsigned step = 32, longStep = 64;
+/// The same of blocks that only go on: where they end is seen in any case.
+constexpr unsigned stretchStep = 64;
 /// So many blocks are waited for the end of a contour, in which nothing can be compared, or in
 /// which rules remember what they forget there; and so often it is looked for.
 constexpr unsigned longestWait = 2 * longestRun, shortWait = 2 * step, look = 4;
@@ -57,7 +58,7 @@ bool RunRecorder::mayBegin(uint32_t offset, MachineState &state, const PlainRun 
   if (whole_.isRecording()) {
     const bool meets = offset == whole_.nextKnown();
     const uint64_t unseen = whole_.unseen();
-    if ((unseen < step || unseen % look != 0) && !meets)
+    if ((unseen < wholeStep() || unseen % look != 0) && !meets)
       return false;
     collect(state);
     remember();
@@ -206,6 +207,25 @@ void RunRecorder::executed(const Block &block, bool goesOn) {
     else
       stretch_.keep();
   }
+}
+
+unsigned RunRecorder::wholeStep() const { return whole_.seen() < longStep ? step : longStep; }
+
+RunRecorder::Unasked RunRecorder::unasked(uint32_t offset) const {
+  if (!whole_.isRecording() || !stretch_.isRecording() || offset < executedEnd_)
+    return {};
+  const uint64_t whole = whole_.unseen(), stretch = stretch_.unseen();
+  if (stretch >= stretchStep || (whole >= wholeStep() && whole % look == 0))
+    return {};
+  const uint64_t left = whole < wholeStep() ? wholeStep() - whole : look - whole % look;
+  return {std::min(left, stretchStep - stretch),
+          std::min(whole_.nextKnown(), stretch_.nextKnown())};
+}
+
+void RunRecorder::executedUnasked(std::pair<uint32_t, uint32_t> last, uint64_t blocks) {
+  whole_.take(last, blocks);
+  stretch_.take(last, blocks);
+  streak_ += unsigned(blocks);
 }
 
 void RunRecorder::interrupt() {

@@ -19,6 +19,15 @@ public:
                                    llvm::function_ref<bool(const RunPlace &)> may);
   /// A block was executed, and the next one follows. `goesOn`: it only goes on as the one before.
   void executed(const Block &block, bool goesOn);
+  /// So many blocks that only go on, before such a place, may be executed without `takeOver` being
+  /// asked before each of them: it would have nothing.
+  struct Unasked {
+    uint64_t blocks = 0;
+    uint32_t before = 0;
+  };
+  Unasked unasked(uint32_t offset) const;
+  /// They were, and nobody has reported anything; `last`: begin and end of the last one of them.
+  void executedUnasked(std::pair<uint32_t, uint32_t> last, uint64_t blocks);
   /// The block for which `takeOver` had nothing was executed, and is not one that only goes on;
   /// `before` is the state before it, and no rule has heard of it yet.
   void goesOnNoMore(MachineState &before) {
@@ -34,6 +43,7 @@ private:
   void collect(MachineState &state);
   bool mayBegin(uint32_t offset, MachineState &state, const PlainRun &plain);
   void rememberMoves();
+  unsigned wholeStep() const;
   void finishStretch(uint32_t offset, MachineState &state, const PlainRun &plain);
   void endStretchBefore(MachineState &before);
   std::optional<RunPlace> takeWhole(uint32_t offset, MachineState &state, PlainRun &plain, May may);

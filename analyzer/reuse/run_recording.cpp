@@ -39,13 +39,6 @@ void RunTrack::collect(const StateUse &use, const FileIndex::Looks &looks, const
   depth_.add(depth);
 }
 
-void RunTrack::take(const Block &block, bool clean) {
-  ++here_.blocks;
-  here_.lastBegin = block.begin;
-  here_.lastEnd = block.end;
-  clean_ &= clean;
-}
-
 void RunTrack::take(const StraightRun &run) {
   here_.blocks += run.blocks;
   here_.lastBegin = run.lastBegin;

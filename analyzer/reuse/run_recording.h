@@ -20,11 +20,22 @@ public:
   void collect(const StateUse &use, const FileIndex::Looks &looks, const CutArea::Box &cut,
                const DepthMoves &depth);
   /// A block was executed.
-  void take(const Block &block, bool clean);
+  void take(const Block &block, bool clean) {
+    take({block.begin, block.end}, 1);
+    clean_ &= clean;
+  }
+  /// So many were that are as clean as one before them, of which the last one is there.
+  void take(std::pair<uint32_t, uint32_t> last, uint64_t blocks) {
+    here_.blocks += blocks;
+    here_.lastBegin = last.first;
+    here_.lastEnd = last.second;
+  }
   /// A run of another store was taken over.
   void take(const StraightRun &run);
   /// Blocks that were executed since it was last seen whether they still are a run.
   uint64_t unseen() const { return here_.blocks - run_->blocks; }
+  /// Blocks up to the last time.
+  uint64_t seen() const { return run_->blocks; }
   /// Whether rules remember what they did when it began.
   bool mayEnd(const RuleMemory &memory) const { return run_->memory.isSame(memory, use_.aside); }
   /// What was executed up to `end` belongs to the run, if it still is one.

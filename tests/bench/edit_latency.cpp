@@ -89,13 +89,18 @@ size_t lineIn(const std::string &text, double part, unsigned turn) {
   return text.rfind('\n', std::min(at, text.size() - 2)) + 1;
 }
 
-/// The last digit of a coordinate in the middle becomes another one.
+/// The first digit after a point in the middle becomes another one.
 Edit digit(const std::string &text, unsigned turn) {
+  const auto isDigit = [&](size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+  };
   const size_t begin = lineIn(text, 0.5, turn / 2);
   size_t at = text.find('.', begin);
-  at = text.find_first_of("0123456789", at == std::string::npos ? begin : at);
+  while (at != std::string::npos && !isDigit(at + 1))
+    at = text.find('.', at + 1);
   if (at == std::string::npos)
     return {begin, begin, ""};
+  ++at;
   return {at, at + 1, std::string(1, text[at] == '9' ? '0' : char(text[at] + 1))};
 }
 
