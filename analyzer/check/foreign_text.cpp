@@ -84,7 +84,7 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   OtherControl other;
   const std::set<uint32_t> *counted = nullptr;
   if (areMany(wrong.all, origin.blocks) || areManyCodes(wrong.ofCodes, origin.blocks) ||
-      areSome(wrong.unreadable, origin.blocks)) {
+      areSome(wrong.unreadable, origin.blocks) || wrong.unreadable.count(0)) {
     other = origin.otherControl();
     // A control with a table is another one only by what is not of this one's language.
     if (!other.name.empty() && (!other.hasTable || areMany(wrong.ofLanguage, origin.blocks) ||

@@ -104,7 +104,7 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   detector.endings_ = {table->extensions, table->looseExtensions};
   detector.unsure_ = {table->unsure.ignore, table->unsure.highest.value_or(Severity::Error)};
   for (auto &[name, marks] : table->otherControls)
-    detector.others_.push_back({name, std::move(marks.marks)});
+    detector.others_.push_back({name, marks.readAs, std::move(marks.marks)});
   std::vector<DialectSummary> dialects(own.begin(), own.end());
   for (DialectSummary &known : listDialects())
     if (llvm::none_of(own, [&](const DialectSummary &mine) { return mine.id == known.id; }))
@@ -213,8 +213,11 @@ Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const
   if (other == all.end() || other->value < sureScore_ ||
       (best != firstOther && other->value < best->value))
     return found;
+  const OtherControl &without = others_[size_t(other - firstOther)];
+  if (!without.readAs.empty())
+    found.dialect = without.readAs;
   found.sure = false;
-  found.other = others_[size_t(other - firstOther)].name + ": " + other->reason();
+  found.other = without.name + ": " + other->reason();
   found.reason =
       "written for a control without a table (" + found.other + "); read as " + found.dialect;
   return found;

@@ -70,6 +70,7 @@ private:
   /// A control without a table: its marks only say that no table fits.
   struct OtherControl {
     std::string name;
+    std::string readAs; ///< id of the nearest dialect; empty: the one that the text speaks for
     std::vector<DetectMark> marks;
   };
   static llvm::Expected<DetectFile> readTable();

@@ -52,7 +52,7 @@ struct DetectFile {
   int minimumScore = 0, sureScore = 0, mostByHabits = 0;
   std::vector<std::string> habits; ///< patterns of marks
   UnsureFile unsure;
-  std::map<std::string, ProgramMarks> otherControls; ///< by their names
+  std::map<std::string, OtherControlFile> otherControls; ///< by their names
   std::vector<std::string> extensions, looseExtensions;
 };
 

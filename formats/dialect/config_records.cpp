@@ -130,13 +130,13 @@ constexpr Field unsureFields[] = {
 constexpr RecordOf<UnsureFile> unsureRecord{
     "unsure", "what is reported when the control is a guess", unsureFields};
 
-constexpr Shape marksOfControl = object(detectionRecord);
+constexpr Shape marksOfControl = object(otherControlRecord);
 
 void readOtherControls(JsonReader &in, const Json &value, DetectFile &file) {
   if (!in.isObject(value))
     return;
   for (auto entry = value.begin(); entry != value.end(); ++entry)
-    readInto(in, *entry, detectionRecord, file.otherControls[entry.key()]);
+    readInto(in, *entry, otherControlRecord, file.otherControls[entry.key()]);
 }
 
 constexpr Shape score = whole(0, 100);

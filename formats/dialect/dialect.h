@@ -100,6 +100,7 @@ struct SwitchInfo {
   std::optional<Severity> severity;
   bool atToolChange = false;  ///< also reported at a tool change
   bool survivesReset = false; ///< a reset code leaves it as it is
+  bool blocksAreData = false; ///< what blocks hold while it is on are data
   unsigned mostNamed = 0;     ///< things of its kind that are kept by name; 0: any number
   std::string off;            ///< how to switch it off, for messages: "M09"
 };
@@ -284,6 +285,7 @@ struct Dialect {
   CodeIndex builderMacro = noCode;     ///< its entry, which counts for all of them
   llvm::StringMap<CodeIndex> keywords; ///< codes that are words of their own, in capitals
   std::vector<SwitchInfo> switches;
+  uint32_t dataSwitches = 0; ///< those whose blocks are data, by their bits
   std::vector<DetectMark> detect;
   std::vector<std::string> variableNames; ///< variables of the control with names of their own
   std::vector<std::string> axisVariables; ///< those that hold the name of an axis

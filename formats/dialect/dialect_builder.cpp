@@ -156,6 +156,8 @@ void DialectBuilder::readSwitches(const Json &value, Dialect &dialect) {
     SwitchInfo &info = dialect.switches.emplace_back();
     info.id = info.title = entry.key();
     readInto(*this, *entry, switchRecord, info);
+    if (info.blocksAreData && dialect.switches.size() <= maxSwitches)
+      dialect.dataSwitches |= 1u << (dialect.switches.size() - 1);
   }
   if (dialect.switches.size() > maxSwitches)
     fail(value, "more than " + llvm::Twine(maxSwitches) + " switches");

@@ -268,6 +268,9 @@ constexpr Field switchFields[] = {
                                  "of that report, when it differs from the rule's", "\"style\""),
     flag<&SwitchInfo::atToolChange>("atToolChange", "also reported at a tool change"),
     flag<&SwitchInfo::survivesReset>("survivesReset", "a reset code leaves it as it is"),
+    flag<&SwitchInfo::blocksAreData>("blocksAreData",
+                                     "what blocks hold while it is on are data; a program that "
+                                     "ends leaves it on for no other"),
     field<&SwitchInfo::mostNamed>(
         "mostNamed", whole(0, 999),
         "things of its kind that the control keeps by name, as matrices; 0: any number", "6"),
@@ -328,6 +331,14 @@ constexpr Field detectionFields[] = {
         "extensions", texts, "file name endings that speak for the control, without the dot",
         R"(["mpf"])"),
     field<&ProgramMarks::marks>("marks", listOf(mark), "marks in a program's text"),
+};
+
+constexpr Field otherControlFields[] = {
+    field<&OtherControlFile::readAs>("readAs", text,
+                                     "id of the dialect whose language is nearest; none: the one "
+                                     "that the text looks most like",
+                                     "\"linuxcnc\""),
+    field<&OtherControlFile::marks>("marks", listOf(mark), "marks in a program's text"),
 };
 
 constexpr Shape anAddress = object(addressRecord), aGroup = object(groupRecord),
@@ -465,6 +476,8 @@ constexpr RecordOf<RuleOverride> ruleRecord =
         .with(optionOfRule);
 constexpr RecordOf<ProgramMarks> detectionRecord{"detect", "how programs for a control are told",
                                                  detectionFields};
+constexpr RecordOf<OtherControlFile> otherControlRecord{
+    "other control", "how programs for a control without a table are told", otherControlFields};
 constexpr RecordOf<Dialect> dialectRecord =
     RecordOf<Dialect>{"dialect", "a control's language as a table", dialectFields}.overlay();
 

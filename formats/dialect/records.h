@@ -15,6 +15,11 @@ struct ProgramMarks {
   std::vector<std::string> extensions; ///< without the dot
 };
 
+/// A control without a table.
+struct OtherControlFile : ProgramMarks {
+  std::string readAs; ///< id of the dialect that is nearest to it; empty: what the text looks like
+};
+
 // dialect_records.cpp
 extern const RecordOf<Dialect> dialectRecord;
 extern const RecordOf<Lexical> lexicalRecord;
@@ -23,6 +28,7 @@ extern const RecordOf<GroupInfo> groupRecord;
 extern const RecordOf<SwitchInfo> switchRecord;
 extern const RecordOf<RuleOverride> ruleRecord;
 extern const RecordOf<ProgramMarks> detectionRecord;
+extern const RecordOf<OtherControlFile> otherControlRecord;
 
 // fact_records.cpp
 extern const RecordOf<ControlFacts> factRecord;

@@ -185,6 +185,36 @@ enum class Structure : uint8_t {
   Return    ///< returns, perhaps with `value`
 };
 
+/// Whether it begins a bracket that another word ends. (A subprogram is none: flow passes it.)
+constexpr bool opensBracket(Structure structure) {
+  switch (structure) {
+  case Structure::If:
+  case Structure::While:
+  case Structure::For:
+  case Structure::Loop:
+  case Structure::Repeat:
+  case Structure::Times:
+    return true;
+  default:
+    return false;
+  }
+}
+
+/// Whether it ends such a bracket.
+constexpr bool closesBracket(Structure structure) {
+  switch (structure) {
+  case Structure::EndIf:
+  case Structure::EndWhile:
+  case Structure::EndFor:
+  case Structure::EndLoop:
+  case Structure::Until:
+  case Structure::EndTimes:
+    return true;
+  default:
+    return false;
+  }
+}
+
 /// Where a jump looks for its target, and which of its targets it takes.
 enum class JumpKind : uint8_t {
   Anywhere, ///< after the jump, then from the program's begin

@@ -260,10 +260,7 @@ MachineState unknownState(const Dialect &dialect) {
   state.spindle = spindleAny;
   state.liveTool = hasOneSpindle(dialect) ? spindleOff : spindleAny;
   state.compensation = phaseAny;
-  state.switches.may = ~0u;
-  for (size_t i = 0; i < dialect.switches.size(); ++i) // nobody leaves it on for others
-    if (dialect.switches[i].id == "data-input")
-      state.switches.may &= ~(1u << i);
+  state.switches.may = ~dialect.dataSwitches; // nobody leaves those on for others
   state.switches.axes.fill(0xFFFF);
   state.roughFirst = state.roughLast = notKnown;
   if (dialect.callsModally)

@@ -22,9 +22,6 @@ public:
         for (const WordSpec &spec : code.words)
           if (spec.variable)
             parameters_.insert(spec.variable);
-    for (size_t i = 0; i < to.dialect().switches.size(); ++i)
-      if (to.dialect().switches[i].id == "data-input")
-        dataInput_ = 1u << i;
     if (!parameters_.empty())
       to.on({EventKind::Assignment, EventKind::CycleRun});
   }
@@ -47,7 +44,7 @@ public:
     // call are arguments.
     if ((ctx.outcome().kinds & bitOf(EventKind::UnknownCode)) ||
         ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
-        ctx.before().modalCalls || ctx.before().switches.mayBeOn(dataInput_))
+        ctx.before().modalCalls || ctx.before().switches.mayBeOn(ctx.dialect().dataSwitches))
       return;
     // After another control's cycle its words go on (`X20 Y5`, `R-3.`): the code is the mistake.
     memory().foreign |= holdsForeignCode(ctx);
@@ -97,7 +94,6 @@ private:
     return word.has(wordExpression) && ctx.before().locals.given(key) != Truth::No;
   }
 
-  uint32_t dataInput_ = 0;        ///< the switch under which every block is data
   std::set<uint64_t> parameters_; ///< keys of the variables that cycles read
 
   /// A cycle's parameter beside a cycle that does not read it.

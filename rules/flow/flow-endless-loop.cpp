@@ -283,10 +283,10 @@ private:
       for (const Item &inner : block.items) {
         if (inner.kind != ItemKind::Structure)
           continue;
-        depth += opens(inner.structure);
+        depth += opensBracket(inner.structure);
         if (depth > deepest)
           return;
-        if (closes(inner.structure) && depth-- == 0) {
+        if (closesBracket(inner.structure) && depth-- == 0) {
           if (inner.structure !=
               (item.structure == Structure::Loop ? Structure::EndLoop : Structure::Until))
             return;
@@ -362,23 +362,12 @@ private:
       for (const Item &inner : block.items) {
         if (inner.kind != ItemKind::Structure)
           continue;
-        depth += opens(inner.structure) ? 1 : closes(inner.structure) ? -1 : 0;
+        depth += opensBracket(inner.structure) - closesBracket(inner.structure);
         if (depth < 0)
           return true;
       }
     }
     return false;
-  }
-
-  static bool opens(Structure structure) {
-    return structure == Structure::If || structure == Structure::While ||
-           structure == Structure::For || structure == Structure::Loop ||
-           structure == Structure::Repeat;
-  }
-  static bool closes(Structure structure) {
-    return structure == Structure::EndIf || structure == Structure::EndWhile ||
-           structure == Structure::EndFor || structure == Structure::EndLoop ||
-           structure == Structure::Until;
   }
 
   /// Whether the program gives each of the variables a value before the block: others may be

@@ -28,23 +28,13 @@ public:
       for (const Item &item : block.items) {
         if (item.kind != ItemKind::Structure)
           continue;
-        switch (item.structure) {
-        case Structure::If:
-        case Structure::While:
-        case Structure::For:
-        case Structure::Loop:
-        case Structure::Repeat:
-          if (++depth == most + 1)
-            if (auto finding = ctx.report(SourceRange{file.source.id(), item.begin, item.end}))
-              finding.message("this is structure {0} in another, the control follows {1}: it stops "
-                              "here",
-                              depth, most);
-          break;
-        case Structure::Else:
-          break;
-        default:
-          depth -= depth > 0;
-        }
+        depth -= depth > 0 && closesBracket(item.structure);
+        if (!opensBracket(item.structure) || ++depth != most + 1)
+          continue;
+        if (auto finding = ctx.report(SourceRange{file.source.id(), item.begin, item.end}))
+          finding.message("this is structure {0} in another, the control follows {1}: it stops "
+                          "here",
+                          depth, most);
       }
     }
   }

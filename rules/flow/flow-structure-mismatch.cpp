@@ -106,25 +106,10 @@ private:
       for (const Item &item : block.items) {
         if (item.kind != ItemKind::Structure)
           continue;
-        switch (item.structure) {
-        case Structure::If:
-        case Structure::While:
-        case Structure::For:
-        case Structure::Loop:
-        case Structure::Repeat:
+        if (opensBracket(item.structure))
           open.push_back(item.structure);
-          break;
-        case Structure::EndIf:
-        case Structure::EndWhile:
-        case Structure::EndFor:
-        case Structure::EndLoop:
-        case Structure::Until:
-          if (!open.empty())
-            open.pop_back();
-          break;
-        default:
-          break;
-        }
+        else if (closesBracket(item.structure) && !open.empty())
+          open.pop_back();
       }
     return !open.empty() && open.back() == Structure::If;
   }

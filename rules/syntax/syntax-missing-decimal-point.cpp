@@ -28,9 +28,6 @@ public:
           address.axis <= Axis::Z || address.axis >= Axis::U)
         if (address.kind == AddressKind::Axis || address.kind == AddressKind::Increment)
           lengths_ |= maskOf(AddressId(i));
-    for (size_t i = 0; i < to.dialect().switches.size(); ++i)
-      if (to.dialect().switches[i].id == "data-input")
-        dataInput_ = 1u << i;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -132,7 +129,6 @@ private:
   }
 
   AddressMask lengths_ = 0; ///< of which a program has the point throughout; 0: not asked
-  uint32_t dataInput_ = 0;  ///< the switch under which every block is data
 
   static bool isPointless(const Word &word) {
     return word.isNumber() && !word.has(wordPoint) && word.mantissa;
@@ -141,7 +137,7 @@ private:
   /// Keeps the lengths of the block that have no point.
   void collect(RuleContext &ctx) const {
     std::vector<SourceRange> &places = memory().places;
-    if (places.size() >= enough || ctx.before().switches.areOn(dataInput_) ||
+    if (places.size() >= enough || ctx.before().switches.areOn(ctx.dialect().dataSwitches) ||
         (ctx.outcome().kinds & bitOf(EventKind::UnknownCode)))
       return;
     if (ctx.find({Action::MacroCall, Action::MacroModal}))

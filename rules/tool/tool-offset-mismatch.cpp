@@ -33,9 +33,6 @@ public:
       to.on({EventKind::ToolChange, EventKind::ToolWord});
       to.onChange({EventKind::Motion});
     }
-    for (size_t i = 0; i < to.dialect().switches.size(); ++i)
-      if (to.dialect().switches[i].id == "data-input")
-        dataInput_ = 1u << i;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -63,7 +60,7 @@ public:
       }
       return;
     }
-    if (ctx.before().switches.areOn(dataInput_)) // what is in the block are data
+    if (ctx.before().switches.areOn(ctx.dialect().dataSwitches)) // what is in the block are data
       return;
     // A tool's own edges are numbered from 1; an H still names a tool of the table.
     if (ctx.dialect().offsetsOfTool && word.address != letterAddress('H'))
@@ -220,7 +217,6 @@ private:
     return known;
   }
 
-  uint32_t dataInput_ = 0;      ///< the switch under which every block is data
   bool onlyOtherTools_ = false; ///< numbers that no tool of the file has are a shop's scheme
   int64_t ownStep_ = 0;         ///< offsets of one tool lie so far apart; 0: a tool has one
 };

@@ -15,23 +15,18 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().toolChangeByT && !to.dialect().isLathe())
       to.on({EventKind::ToolWord, EventKind::ToolChange});
-    for (size_t i = 0; i < to.dialect().switches.size(); ++i)
-      if (to.dialect().switches[i].id == "data-input")
-        dataInput_ = 1u << i;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::ToolChange) {
       memory().ready = {};
       memory().changes = true;
-    } else if (event.word && !ctx.before().switches.mayBeOn(dataInput_)) {
+    } else if (event.word && !ctx.before().switches.mayBeOn(ctx.dialect().dataSwitches)) {
       named(event, ctx);
     }
   }
 
 private:
-  uint32_t dataInput_ = 0; ///< the switch under which every block is data
-
   void named(const Event &event, RuleContext &ctx) const {
     const SourceRange before = memory().ready;
     const int64_t number = memory().number;

@@ -139,6 +139,31 @@ TEST(Detection, NamesAControlThatHasNoTable) {
   }
 }
 
+TEST(Detection, AControlWithoutATableIsReadAsTheOneNearestToIt) {
+  const char *const mach = "; set up for Mach3\nG20\nG0 X1.5 Y2.\nG2 X2.2 Y6.4 R0.4 F60\nM30\n";
+  const char *const tinyG = "(a test)\n{\"gc\":\"g0x0y0\"}\nG0 X10 Y20\nG1 X20 F100\nM2\n";
+  for (const char *const text : {mach, tinyG}) {
+    const Detection found = detector().detect("a.gcode", text);
+    EXPECT_EQ("fanuc-mill", found.dialect) << text;
+    EXPECT_NE("", found.other) << text;
+    EXPECT_FALSE(found.sure) << text;
+  }
+}
+
+TEST(Detection, CommentsOfAnotherControlDoNotOutweighParameters) {
+  const Detection found = detector().detect(
+      "grid.nc", "%; SINUMERIK GRID\n(grid of holes)\nR20=4 ; columns\nR30=0\nR31=0\n"
+                 "G0 X0 Y0 Z50\nG1 X=R30*R22 Y=0 F500\nR30=R30+1\nM30\n");
+  EXPECT_EQ("sinumerik", found.dialect);
+}
+
+TEST(Detection, PlainBlocksAreForTheUsualControl) {
+  const Detection found =
+      detector().detect("part.nc", "N10 G21 G90 G94\nN20 M03 S3000\nN30 G00 X30 Y30 Z5\n"
+                                   "N40 G81 X50 Y50 Z-5 R2 F600\nN50 G80\nN60 G54\nN80 M30\n");
+  EXPECT_EQ("fanuc-mill", found.dialect);
+}
+
 TEST(Detection, WhatPostProcessorsWriteForSeveralControlsMakesNoneSure) {
   const Detection found = detector().detect(
       "1001.nc", "%\nO01001\n(T1 D=6.35 CR=0. - FLAT END MILL)\nN10 G90 G94 G17\nN15 G21\n"
