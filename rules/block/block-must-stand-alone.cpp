@@ -33,6 +33,10 @@ public:
       besideOthers(*event.word, ctx);
     if (!code.alone)
       return;
+    // Of two such codes the first speaks.
+    for (const CodeUse &other : ctx.codes())
+      if (ctx.code(other).alone && other.word && other.word->offset < event.word->offset)
+        return;
     AddressMask own = code.takes;
     for (const WordSpec &spec : code.words)
       own |= spec.any;

@@ -36,10 +36,10 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
-    const CodeInfo &code = ctx.code(event);
+    const CodeInfo &code = cuts(event, ctx);
     if (ctx.before().profile == ProfileMode::Recorded && code.action != Action::ProfileRun)
       return;
-    if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) : runs(event, code)))
+    if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) : runs(event, code, ctx)))
       return sleepInShape();
     // After rigid tapping another rule speaks.
     if (ctx.before().may(Fact::SpindleStoppedByTap))
@@ -92,6 +92,18 @@ public:
   }
 
 private:
+  /// What runs: at the places of a pattern that is the cycle in force.
+  static const CodeInfo &cuts(const Event &event, const RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    if (code.cycle != CycleKind::Pattern)
+      return code;
+    for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion})
+      if (const CodeInfo *active = ctx.after().activeCode(ctx.dialect(), which);
+          active && active->action == Action::Cycle)
+        return *active;
+    return code;
+  }
+
   /// The block moves the tool through the work, as far as its words say.
   static bool feeds(const Event &event, const CodeInfo &code, const RuleContext &ctx) {
     constexpr uint16_t linear =
@@ -137,9 +149,10 @@ private:
   }
 
   /// The cycle cuts with the spindle; without axis words a modal cycle sets modes only.
-  static bool runs(const Event &event, const CodeInfo &code) {
+  static bool runs(const Event &event, const CodeInfo &code, const RuleContext &ctx) {
     return code.spindle != SpindleNeed::Any && code.spindle != SpindleNeed::StartsItself &&
-           (event.axes || code.group == noGroup || code.firesOnEveryBlock);
+           (event.axes || code.group == noGroup || code.firesOnEveryBlock ||
+            ctx.code(event).cycle == CycleKind::Pattern);
   }
 
   static bool mayTurn(uint8_t spindle, uint8_t live) {

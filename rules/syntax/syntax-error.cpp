@@ -82,6 +82,8 @@ private:
   }
 
   static const char *ofExpression(const SyntaxIssue &issue, const RuleContext &ctx) {
+    if (issue.begin == issue.end)
+      return "a value is missing here: the control stops";
     if (isOpenCondition(issue, ctx))
       return "`{0}`: a condition wants brackets around all of it: `IF [{0}]`";
     if (wantsBrackets(ctx, issue))
@@ -99,6 +101,8 @@ private:
     if (ctx.dialect().lexical.commaSeparates &&
         ctx.text(ctx.range(issue)).startswith_insensitive("STEP"))
       return "`{0}`: FOR counts by 1 and has no step; WHILE counts by any";
+    if (isPartedEnd(issue, ctx))
+      return "`{0}` is one word: the control finds no end of the structure in two";
     if (!ctx.text(ctx.range(issue)).equals_insensitive("THEN"))
       return "`{0}` is no statement that the control knows";
     return tellsOfIf(ctx) ? "`{0}` without a statement after it: this control has no IF of several "
@@ -112,6 +116,15 @@ private:
     return tellsOfIf(ctx) ? "`{0}`: this control has no IF of several blocks: an IF jumps, or has "
                             "its statement in its own block"
                           : nullptr;
+  }
+
+  /// `END FOR`
+  static bool isPartedEnd(const SyntaxIssue &issue, const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().items, [&](const Item &item) {
+      return item.kind == ItemKind::Structure && item.begin == issue.begin &&
+             closesBracket(item.structure) &&
+             ctx.text(ctx.range(issue)).find_first_of(" \t") != llvm::StringRef::npos;
+    });
   }
 
   /// Words of the IF of several blocks that other controls have.
@@ -136,6 +149,8 @@ private:
         return false;
       const SourceRange range = ctx.range(ctx.block().expressions[item.condition]);
       const llvm::StringRef text = ctx.text(range);
+      if (!text.startswith("["))
+        return false;
       int depth = 0;
       for (size_t i = 0; i < text.size(); ++i) {
         depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;

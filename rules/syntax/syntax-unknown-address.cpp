@@ -60,12 +60,23 @@ public:
     for (const Word &word : ctx.block().words)
       if (!(ctx.dialect().known & maskOf(word.address)) && !explained(word, ctx) &&
           !(isoSigns_ && isIsoSign(ctx.text(word))))
-        if (auto finding = ctx.report(word))
-          finding.message("`{0}`: this control has no address {1}, the block is refused",
-                          ctx.text(word), ctx.dialect().addressName(word.address));
+        if (auto finding = ctx.report(word)) {
+          const std::string instead = isRadius(word, ctx)
+                                          ? "; the radius of an arc is " +
+                                                ctx.dialect().addressName(ctx.dialect().arcRadius)
+                                          : "";
+          finding.message("`{0}`: this control has no address {1}, the block is refused{2}",
+                          ctx.text(word), ctx.dialect().addressName(word.address), instead);
+        }
   }
 
 private:
+  /// `G3 X5 R2` where the radius has an address of several letters.
+  static bool isRadius(const Word &word, const RuleContext &ctx) {
+    return word.address == letterAddress('R') && ctx.dialect().arcRadius >= firstNamed &&
+           ctx.find({Action::ArcCw, Action::ArcCcw});
+  }
+
   /// `POS[V]=10`: the letter of an axis that a positioning or feed word names.
   void inBrackets(const Item &item, RuleContext &ctx) const {
     const llvm::StringRef name =

@@ -184,7 +184,8 @@ private:
       return llvm::isAlnum(c) || c == '_';
     });
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    if (name.size() < shortest || !llvm::isAlpha(name[0]) ||
+    // (`R8F100.`: a parameter and the word after it, for no name has a digit second)
+    if (name.size() < shortest || !llvm::isAlpha(name[0]) || llvm::isDigit(name[1]) ||
         ctx.index().definition(program, name) || known_.count(variableKey(name)) ||
         !memory().spoken.insert(variableKey(name)).second)
       return;

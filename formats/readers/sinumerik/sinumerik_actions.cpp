@@ -111,6 +111,20 @@ bool SinumerikScanner::scanActionValue(llvm::StringRef name, const char *begin) 
   return true;
 }
 
+/// `M3`, `M45`; not `M8`, which switches the coolant, nor `M0`.
+bool SinumerikScanner::mayTurnSpindle(llvm::StringRef number) const {
+  uint32_t value = 0;
+  constexpr uint32_t greatest = 999;
+  if (number.getAsInteger(10, value) || value > greatest)
+    return true;
+  const CodeIndex code = dialect_.find('M', value * 10);
+  if (code == noCode)
+    return true;
+  const Action action = dialect_.codes[code].action;
+  return action != Action::CoolantOn && action != Action::CoolantOff &&
+         action != Action::ProgramStop && action != Action::OptionalStop;
+}
+
 /// One of the actions after DO: an assignment, a word, a call.
 void SinumerikScanner::scanAction(Deeds &deeds) {
   const char *const begin = at_;
@@ -131,7 +145,7 @@ void SinumerikScanner::scanAction(Deeds &deeds) {
   const char letter = char(name[0] | 32);
   const llvm::StringRef number = name.drop_front();
   if (llvm::all_of(number, isNumberDigit)) {
-    deeds.turns |= letter == 'm' || letter == 's';
+    deeds.turns |= letter == 's' || (letter == 'm' && mayTurnSpindle(number));
     // The path is the program's own: of the G functions only the units of lengths are actions.
     const bool units = number == "70" || number == "71" || number == "700" || number == "710";
     if (letter == 'f' || letter == 't' || letter == 'd' || (letter == 'g' && !units))

@@ -81,17 +81,21 @@ llvm::StringRef SinumerikExpression::identifier() const {
   return llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNameCharacter);
 }
 
-/// After what belongs to a bad expression: at the next blank outside brackets.
+/// After what belongs to a bad expression: at the first blank outside brackets that comes after
+/// what could be read, or at a jump, which is part of none.
 ExpressionParser::Rest SinumerikExpression::afterBad(const char *begin) const {
   int depth = 0;
   const char *p = begin;
   for (; p < end_ && !isLineEnd(*p) && *p != ';'; ++p) {
+    if (p > begin && !isNameCharacter(p[-1]) &&
+        llvm::StringRef(p, size_t(end_ - p)).startswith_insensitive("GOTO"))
+      break;
     if (*p == '(' || *p == '[')
       ++depth;
     else if (*p == ')' || *p == ']') {
       if (--depth < 0)
         break;
-    } else if (depth <= 0 && (*p == ' ' || *p == ',') && p > begin) {
+    } else if (depth <= 0 && (*p == ' ' || *p == ',') && p > begin && p >= at_) {
       break;
     }
   }
@@ -352,13 +356,12 @@ bool SinumerikExpression::text() {
   return true;
 }
 
-/// `R24Y=` in `X=R24Y=5`: a word follows without a blank, for no value has a `=` right after it.
-llvm::StringRef SinumerikExpression::withoutGluedWord(llvm::StringRef name) const {
+/// `R24Y=` in `X=R24Y=5`, `R8F100.`: a word follows without a blank, for no name has a digit
+/// second.
+llvm::StringRef SinumerikExpression::withoutGluedWord(llvm::StringRef name) {
   const llvm::StringRef parameter =
       name.take_front(1 + name.drop_front().take_while(llvm::isDigit).size());
-  const char *const after = name.end();
-  const bool given = after < end_ && *after == '=' && !(after + 1 < end_ && after[1] == '=');
-  return given && parameter.size() < name.size() && parameterKey(parameter) ? parameter : name;
+  return parameter.size() < name.size() && parameterKey(parameter) ? parameter : name;
 }
 
 /// A variable, an element of an array, a function.

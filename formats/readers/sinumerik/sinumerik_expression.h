@@ -39,7 +39,7 @@ private:
   bool number();
   bool constant();
   bool text();
-  llvm::StringRef withoutGluedWord(llvm::StringRef name) const;
+  static llvm::StringRef withoutGluedWord(llvm::StringRef name);
   bool name(unsigned depth);
   bool function(unsigned depth, llvm::StringRef name, const char *begin);
   /// Index list in brackets; -1: it could not be read.

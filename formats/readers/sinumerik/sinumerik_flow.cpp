@@ -71,6 +71,23 @@ void SinumerikScanner::scanStatement(Keyword keyword, const char *begin) {
   }
 }
 
+/// `END FOR`: the end of a structure, written as two words. It is read as what is meant.
+bool SinumerikScanner::scanPartedEnd(llvm::StringRef name) {
+  if (!name.equals_insensitive("END") || !startsBlock())
+    return false;
+  const char *const second = afterBlanks(name.end());
+  const llvm::StringRef kind =
+      llvm::StringRef(second, size_t(end_ - second)).take_while(isNameCharacter);
+  const Keyword keyword = sinumerikKeyword((name + kind).str());
+  if (keyword != Keyword::EndIf && keyword != Keyword::EndFor && keyword != Keyword::EndWhile &&
+      keyword != Keyword::EndLoop)
+    return false;
+  at_ = kind.end();
+  issue(SyntaxIssueKind::BadStatement, name.begin(), at_);
+  scanStatement(keyword, name.begin());
+  return true;
+}
+
 /// A jump follows after the condition, or the blocks to ENDIF.
 void SinumerikScanner::scanIf(const char *begin) {
   const uint16_t test = condition();

@@ -114,6 +114,7 @@ private:
   // sinumerik_flow.cpp
   void structure(Structure structure, const char *begin, uint16_t condition = noExpression);
   void scanStatement(Keyword keyword, const char *begin);
+  bool scanPartedEnd(llvm::StringRef name);
   void scanIf(const char *begin);
   void scanJump(Keyword keyword, const char *begin);
   void scanTarget(Item &item);
@@ -143,6 +144,7 @@ private:
   void scanProgram(llvm::StringRef name);
   void scanSynchronised(Keyword keyword, const char *begin);
   void scanActionCondition(Item &item);
+  bool mayTurnSpindle(llvm::StringRef number) const;
   void scanAction(Deeds &deeds);
   bool scanActionValue(llvm::StringRef name, const char *begin);
 

@@ -361,6 +361,8 @@ void SinumerikScanner::scanName() {
     at_ = name.end();
     return scanStatement(keyword, begin);
   }
+  if (scanPartedEnd(name))
+    return;
   const char *const after = afterBlanks(name.end());
   const auto address = addresses_.find(name.upper());
   if (address != addresses_.end()) {
