@@ -1,6 +1,7 @@
 // A cutter that is fed down to depth before compensation is switched on.
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/rule.h"
+#include "interp/geometry/direction.h"
 
 namespace ncvet {
 namespace {
@@ -17,7 +18,7 @@ public:
     if (event.code == noCode || ctx.code(event).action == Action::CompensationOff ||
         !ctx.before().must(Fact::PlungedUncompensated))
       return;
-    if (isInCircle(ctx) || (onContour_ && isOutside(ctx)))
+    if (leadsInByArc(ctx) || (onContour_ && isOutside(ctx)))
       return;
     const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
     const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();
@@ -31,17 +32,30 @@ public:
 private:
   bool onContour_ = false; ///< beside the contour the tool may go down
 
-  /// The move leads from inside of the circle that is milled next out to it: down in the middle of
-  /// a bore nothing is spoilt.
-  static bool isInCircle(const RuleContext &ctx) {
+  /// The move leads to an arc by which the contour is met: out of the middle of a bore, or to a
+  /// roll-in that touches the contour's next element. Down beside it nothing is spoilt. Also where
+  /// the arc is not known: it is one of variables.
+  static bool leadsInByArc(const RuleContext &ctx) {
     const Interval &x = ctx.before().at(Axis::X), &y = ctx.before().at(Axis::Y);
     PathAhead ahead(ctx);
     if (!x.isConstant() || !y.isConstant() || !ahead.next())
       return false;
-    const auto circle = contourElementOf(ahead.executed());
+    const ExecutedBlock after = ahead.executed();
+    const auto arc = contourElementOf(after);
+    if (!arc)
+      return after.after.activeAction(ctx.dialect(), StandardGroup::Motion) == Action::ArcCw ||
+             after.after.activeAction(ctx.dialect(), StandardGroup::Motion) == Action::ArcCcw;
+    if (!arc->arc)
+      return false;
     constexpr double inside = 0.99; // of the radius
-    return circle && circle->arc &&
-           (Vector(x.value(), y.value()) - circle->centre).norm() < inside * circle->radius();
+    if ((Vector(x.value(), y.value()) - arc->centre).norm() < inside * arc->radius())
+      return true;
+    if (!ahead.next())
+      return false;
+    const auto contour = contourElementOf(ahead.executed());
+    constexpr double touches = 0.02; // radians: coordinates are rounded
+    return contour && std::abs(angleBetween(arc->direction(arc->to),
+                                            contour->direction(contour->from))) < touches;
   }
 
   /// The tool went down outside of the box round the contour that it then walks.

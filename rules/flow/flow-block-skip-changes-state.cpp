@@ -34,6 +34,8 @@ public:
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i)
       if ((watched_ >> i & 1) && before.group(i) != after.group(i))
         changes.groups |= uint64_t(1) << i;
+    if (!atCause_)
+      takeOutOfRun(changes, ctx);
     // Another offset under the same code: `/G43 Z30 H02`.
     if (before.lengthOffset > 0 && after.lengthOffset > 0 &&
         before.lengthOffset != after.lengthOffset)
@@ -84,6 +86,51 @@ public:
 
 private:
   bool inside_ = false; ///< a skip mark after words skips the rest of its block
+
+  /// Blocks of one switch that follow each other are left out together: takes out what one of them
+  /// that comes after sets otherwise, and what is now as it was before the first of them.
+  static void takeOutOfRun(ModeChanges &changes, const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    for (GroupIndex group = 0; group < dialect.groups.size(); ++group) {
+      const uint64_t active = ctx.after().group(group);
+      if (!(changes.groups >> group & 1) || !llvm::isPowerOf2_64(active))
+        continue;
+      const size_t member = llvm::countTrailingZeros(active);
+      const CodeIndex now = dialect.groups[group].members[member];
+      if (lastOfRun(group, now, ctx) != now || beforeRun(group, ctx) == now)
+        changes.groups &= ~(uint64_t(1) << group);
+    }
+  }
+
+  /// The last code of the group in the block; none: it has none.
+  static CodeIndex statedIn(const Block &block, GroupIndex group, const Dialect &dialect) {
+    CodeIndex stated = noCode;
+    for (const CodeIndex code : codesOf(dialect, block))
+      if (dialect.codes[code].group == group)
+        stated = code;
+    return stated;
+  }
+
+  /// The code of the group that holds after the last of the blocks that are skipped with this one.
+  static CodeIndex lastOfRun(GroupIndex group, CodeIndex now, const RuleContext &ctx) {
+    Block next = ctx.block();
+    while (readOn(ctx.index(), next) && next.skip == ctx.block().skip)
+      if (const CodeIndex stated = statedIn(next, group, ctx.dialect()); stated != noCode)
+        now = stated;
+    return now;
+  }
+
+  /// The code of the group that the text states before the first of them; none: not near.
+  static CodeIndex beforeRun(GroupIndex group, const RuleContext &ctx) {
+    constexpr unsigned furthest = 60; // blocks
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block))
+      if (block.skip != ctx.block().skip)
+        if (const CodeIndex stated = statedIn(block, group, ctx.dialect()); stated != noCode)
+          return stated;
+    return noCode;
+  }
 
   /// `G00 X10. /Y20.`: what is before the mark runs in any case. Reports it.
   static bool skipsRest(RuleContext &ctx) {

@@ -102,10 +102,11 @@ private:
            });
   }
 
-  /// The `M30` that a program has by habit after a loop without end, or after `M99`.
+  /// The `M30` that a program has by habit after a loop without end, or after `M99`; a subprogram
+  /// its return.
   bool endsAfterLoop(const Block &block, const RuleContext &ctx) const {
-    return !afterEnd_ &&
-           findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
+    return !afterEnd_ && findCode(ctx.dialect(), block,
+                                  {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return});
   }
 
   /// After an alarm programs wait, go on elsewhere or return by habit: nothing is lost.

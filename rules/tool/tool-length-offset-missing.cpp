@@ -45,9 +45,10 @@ public:
     if (event.kind == EventKind::Motion && !(event.axes >> unsigned(Axis::Z) & 1))
       return sleepInShape();
     const bool called = state.must(Fact::ToolCalled) || state.preselected > 0;
-    if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode ||
-        event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
-        event.motion == MotionKind::Skip)
+    // `M6 T0` leaves the spindle empty: nothing is too long.
+    if (!called || (state.tool == 0 && state.preselected <= 0) ||
+        state.must(Fact::LengthSinceTool) || event.code == noCode || event.inMachineCoordinates() ||
+        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
       return sleepInShape();
     if (event.kind == EventKind::CycleRun && cycleOutlivesTool(state))
       return; // the hole itself is not meant
