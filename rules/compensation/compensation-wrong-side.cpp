@@ -225,6 +225,8 @@ private:
     constexpr unsigned longest = 200; // elements
     constexpr double tolerance = 1e-3;
     const Interval &depth = ctx.before().at(Axis::Z);
+    if (!depth.isConstant() || !(ctx.after().at(Axis::Z) == depth))
+      return false;
     Outline outline;
     outline.add(entry.to);
     outline.add(pointOf(ctx.after(), ctx.dialect()));
@@ -232,8 +234,7 @@ private:
     for (unsigned i = 0; i < longest && ahead.next(); ++i) {
       const ExecutedBlock move = ahead.executed();
       const Memory::Point to = pointOf(move.after, ctx.dialect());
-      if (!to[0].isConstant() || !to[1].isConstant() || !depth.isConstant() ||
-          !(move.after.at(Axis::Z) == depth))
+      if (!to[0].isConstant() || !to[1].isConstant() || !(move.after.at(Axis::Z) == depth))
         return false;
       if (move.after.compensation == phaseOn) {
         outline.add(to);

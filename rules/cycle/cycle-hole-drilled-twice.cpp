@@ -3,7 +3,9 @@
 #include "analyzer/rule/gathering_rule.h"
 #include "interp/value/sum.h"
 
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace ncvet {
 namespace {
@@ -21,9 +23,42 @@ struct HolePlace {
   }
 };
 
+/// What is the same of all holes whose blocks do the same but for their numbers.
+struct KindOfHole {
+  uint64_t known = 0; ///< see `Outcome::known`; 0: there is none
+  StateUse use;       ///< what was looked at to find it out
+  HolePlace place;    ///< but for its block and its numbers
+};
+
+/// The kinds of holes of one call of a cycle, and where the last one of them was.
+struct Row {
+  Origin call;
+  Axis tool = Axis::Z;
+  uint64_t offset = 0; ///< the same as in `HolePlace`
+  std::array<KindOfHole, 8> kinds{};
+  std::array<Interval, axisCount> position{};
+  std::array<double, axisCount> at{}; ///< the same as in `HolePlace`
+  uint64_t key = 0;                   ///< the same
+
+  const KindOfHole *find(uint64_t known) const {
+    const KindOfHole &kind = kinds[known % kinds.size()];
+    return known && kind.known == known ? &kind : nullptr;
+  }
+  /// A row of another call, in another plane, or under another work offset.
+  void begin(const Origin &by, Axis along, uint64_t system) {
+    call = by;
+    tool = along;
+    offset = system;
+    for (KindOfHole &kind : kinds)
+      kind.known = 0;
+  }
+};
+
 /// The holes of the list that is being run. Runs that add to them tell what they add.
 class HoleList {
 public:
+  Row row;
+
   bool continues(const HolePlace &place) const {
     return place.depth == depth_ && place.list == list_;
   }
@@ -112,6 +147,8 @@ public:
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
       return;
     if (event.kind == EventKind::CycleRun) {
+      if (isNextOfRow(event, ctx))
+        return;
       if (calls_)
         afterCall(event, ctx);
       if (othersTell(event, ctx))
@@ -216,34 +253,106 @@ private:
   /// A position that the same list of holes has had before; true: it was reported.
   bool samePlace(const Event &event, const std::array<Interval, axisCount> &position,
                  RuleContext &ctx) const {
+    const StateUse used = std::exchange(stateUse, StateUse());
+    HolePlace place;
+    const bool isKnown = findPlace(event, position, place, ctx);
+    if (isKnown && ctx.outcome().known && !calls_ && ctx.outcome().holes.size() == 1 &&
+        ctx.after().frames.empty())
+      keepKind(position, place, ctx);
+    stateUse |= used;
+    return isKnown && wasHereBefore(event, place, ctx);
+  }
+
+  void keepKind(const std::array<Interval, axisCount> &position, const HolePlace &place,
+                const RuleContext &ctx) const {
+    Row &row = list().row;
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    const Origin &call = ctx.after().origin.of(StatePart::Cycle);
+    if (row.call != call || row.tool != tool || row.offset != place.offset)
+      row.begin(call, tool, place.offset);
+    row.position = position;
+    row.at = place.at;
+    row.key = place.key;
+    const uint64_t known = ctx.outcome().known;
+    row.kinds[known % row.kinds.size()] = {known, stateUse, place};
+  }
+
+  /// A further hole of the row, as one before it but for its numbers; false: it is another.
+  bool isNextOfRow(const Event &event, RuleContext &ctx) const {
+    Row &row = list().row;
+    const KindOfHole *const kind = row.find(ctx.outcome().known);
+    if (!kind || row.call != ctx.after().origin.of(StatePart::Cycle))
+      return false;
+    stateUse |= kind->use;
+    const std::array<Interval, axisCount> &position = ctx.after().position;
+    constexpr unsigned usual = 3; // X, Y, Z
+    const bool othersStay = std::memcmp(&position[usual], &row.position[usual],
+                                        (axisCount - usual) * sizeof(Interval)) == 0;
+    for (unsigned i = 0; i < (othersStay ? usual : axisCount); ++i)
+      if (position[i] != row.position[i]) {
+        const double at = numberAt(position[i], i == unsigned(row.tool));
+        row.key += partOfKey(i, at) - partOfKey(i, row.at[i]);
+        row.position[i] = position[i];
+        row.at[i] = at;
+      }
+    if (!isPlaceKnown(event, position, row.tool))
+      return true;
+    HolePlace place = kind->place;
+    place.block.offset = ctx.block().begin;
+    place.end.offset = ctx.block().end;
+    place.at = row.at;
+    place.key = row.key;
+    wasHereBefore(event, place, ctx);
+    return true;
+  }
+
+  /// Where the hole is; false: that is not known, or no matter.
+  bool findPlace(const Event &event, const std::array<Interval, axisCount> &position,
+                 HolePlace &place, const RuleContext &ctx) const {
     const MachineState &state = ctx.after();
-    const CodeInfo &code = ctx.code(event);
     const Axis tool = toolAxis(ctx.dialect(), state);
     const bool hasFrame = !state.frames.empty();
     if (state.profile != ProfileMode::Off || (state.transforms[0] && !hasFrame))
       return false;
-    HolePlace place;
     place.block = {ctx.source().id(), ctx.block().begin};
     place.end = {ctx.source().id(), ctx.block().end};
     place.list = {ctx.source().id(), listOf(event, ctx)};
     place.depth = ctx.callDepth();
     place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
-    if (!position[0].isConstant())
+    if (!isPlaceKnown(event, position, tool))
       return false;
-    for (unsigned i = 0; i < axisCount; ++i) {
-      const bool isKnown = i != unsigned(tool) && position[i].isConstant();
-      if (!isKnown && i != unsigned(tool) && event.axes >> i & 1)
-        return false;
-      place.at[i] = isKnown && position[i].value() != 0 ? rounded(position[i].value()) : 0;
-    }
+    for (unsigned i = 0; i < axisCount; ++i)
+      place.at[i] = numberAt(position[i], i == unsigned(tool));
     if (hasFrame && !putIntoFrame(place, position, tool, state))
       return false;
     place.key = keyOf(place);
+    return true;
+  }
+
+  /// Whether it is known where the hole is along X, and along the axes that its block names.
+  static bool isPlaceKnown(const Event &event, const std::array<Interval, axisCount> &position,
+                           Axis tool) {
+    if (!position[0].isConstant())
+      return false;
+    for (uint32_t left = event.axes & ~(1u << unsigned(tool)); left; left &= left - 1)
+      if (!position[size_t(std::countr_zero(left))].isConstant())
+        return false;
+    return true;
+  }
+
+  static double numberAt(const Interval &position, bool isTool) {
+    const bool counts = !isTool && position.isConstant() && position.value() != 0;
+    return counts ? rounded(position.value()) : 0;
+  }
+
+  /// Adds the hole to its list; true: it was reported.
+  bool wasHereBefore(const Event &event, const HolePlace &place, RuleContext &ctx) const {
     note(place);
     const HolePlace *known = list().add(place);
     if (!known)
       return false;
     // Another depth at the same place is a second step, and a longer path cannot be one list.
+    const CodeInfo &code = ctx.code(event);
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
     const HolePlace &other = *known;
@@ -293,17 +402,26 @@ private:
 
   /// In ten-thousandths of a millimetre, rounded: polar input and frames calculate.
   static double rounded(double value) {
-    constexpr double parts = 1e4;
-    return std::round(value * parts) + 0.0; // no minus zero
+    constexpr double parts = 1e4, mostExact = 1e15;
+    const double number = value * parts;
+    if (std::fabs(number) < mostExact) // as `round`, without a call
+      return double(int64_t(number + std::copysign(0.5, number)));
+    return number;
   }
 
   static uint64_t keyOf(const HolePlace &place) {
-    Sum sum(place.offset);
+    uint64_t key = Sum(place.offset).get();
     for (unsigned i = 0; i < axisCount; ++i)
-      if (place.at[i] != 0) {
-        sum.add(i);
-        sum.add(llvm::bit_cast<uint64_t>(place.at[i]));
-      }
+      key += partOfKey(i, place.at[i]);
+    return key;
+  }
+  /// What a number of one axis adds to the key.
+  static uint64_t partOfKey(unsigned axis, double at) {
+    if (at == 0)
+      return 0;
+    Sum sum(axis + 1);
+    sum.add(llvm::bit_cast<uint64_t>(at));
+    sum.add(axis);
     return sum.get();
   }
 };

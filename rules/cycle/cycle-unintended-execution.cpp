@@ -251,7 +251,7 @@ private:
   /// ends.
   static bool endsWithoutCancel(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
-    if (isFollowedByPlace(ctx)) // the list goes on
+    if (isFollowedByPlace(ctx) || isFollowedByCycle(ctx)) // the list goes on, or another one begins
       return false;
     BlocksAhead ahead(ctx);
     Block next;
@@ -285,6 +285,27 @@ private:
       if (next.hasAny(dialect.axisWords) && !signs)
         return false; // the list goes on
     }
+    return false;
+  }
+
+  /// Whether the next block of the text is known to call or to cancel a cycle, and says nothing
+  /// before that but where to return to.
+  static bool isFollowedByCycle(const RuleContext &ctx) {
+    const Block *const next = ctx.nextAlike();
+    if (!next)
+      return false;
+    for (const CodeIndex index : codesOf(ctx.dialect(), *next))
+      switch (ctx.dialect().codes[index].action) {
+      case Action::Cycle:
+      case Action::CycleCancel:
+        ctx.index().noteRead(next->begin, next->next);
+        return true;
+      case Action::ReturnInitial:
+      case Action::ReturnR:
+        break;
+      default:
+        return false;
+      }
     return false;
   }
 

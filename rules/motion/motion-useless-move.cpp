@@ -121,6 +121,8 @@ private:
   /// Whether the next block that does more than switch something changes the tool.
   static bool changesToolNext(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
+    if (isFollowedByPlace(ctx))
+      return false;
     constexpr unsigned lookAhead = 6;
     const auto size = uint32_t(ctx.source().text().size());
     for (const Block &block : blocks(ctx.index(), ctx.block().next, size, lookAhead)) {

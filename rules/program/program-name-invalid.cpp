@@ -219,8 +219,10 @@ private:
   /// `%_N_PART_MPF` begins each unit of an archive: letters, digits and `_`, and what kind it is.
   static void unitHeads(const FileSummary &file, RuleContext &ctx) {
     const llvm::StringRef text = file.source.text();
-    for (size_t at = text.find("%_N_"); at != llvm::StringRef::npos;
-         at = text.find("%_N_", at + 1)) {
+    // By its first letter, of which there are few: the text may be long.
+    for (size_t at = text.find('%'); at != llvm::StringRef::npos; at = text.find('%', at + 1)) {
+      if (!text.drop_front(at).startswith("%_N_"))
+        continue;
       if (at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r')
         continue;
       const llvm::StringRef line =
