@@ -31,16 +31,12 @@ inline bool mayBeTransformed(const Dialect &dialect, const MachineState &state) 
 /// Whether the tool was changed after compensation was switched on: that it is still on was told
 /// there, and what else it does from then on has the same cause.
 inline bool outlivesTool(const MachineState &state) {
-  const Origin &on = state.origin.of(StatePart::Compensation);
-  const Origin &tool = state.origin.of(StatePart::Tool);
-  return on.known() && tool.known() && on.file == tool.file && tool.begin > on.begin;
+  return state.origin.isOlderThanTool(StatePart::Compensation);
 }
 
 /// Whether the tool was changed while the cycle in force was on already: told there.
 inline bool cycleOutlivesTool(const MachineState &state) {
-  const Origin &on = state.origin.of(StatePart::Cycle);
-  const Origin &tool = state.origin.of(StatePart::Tool);
-  return on.known() && tool.known() && on.file == tool.file && tool.begin > on.begin;
+  return state.origin.isOlderThanTool(StatePart::Cycle);
 }
 
 /// Whether X is certainly a diameter: the work turns, and the tool axis is none that goes into it.

@@ -3,6 +3,8 @@
 
 #include "formats/readers/spelling.h"
 
+#include <algorithm>
+
 namespace ncvet {
 
 namespace {
@@ -24,16 +26,21 @@ void takeNumbers(const Block &from, Block &to) {
 
 /// Notes which spelling comes after that of the block before.
 void KnownBlocks::follow(Spelling *spelling) {
-  if (last_ && spelling) {
-    after_[pair_] = spelling;
-    if (last_->followers[0] != spelling) {
-      last_->followers[1] = last_->followers[0];
-      last_->followers[0] = spelling;
+  if (last_ && spelling && after_[row_] != spelling) {
+    after_[row_] = followed_[pair_] = spelling;
+    auto &followers = last_->followers;
+    if (followers[0] != spelling) {
+      auto *const known = std::find(followers.begin(), followers.end() - 1, spelling);
+      std::copy_backward(followers.begin(), known, known + 1);
+      followers[0] = spelling;
     }
   }
-  constexpr uint64_t spread = 31;
-  if (spelling)
-    pair_ = (spelling->serial * spread + (last_ ? last_->serial : 0)) % after_.size();
+  constexpr uint64_t spread = 31, odd = 0x9E3779B97F4A7C15; // the golden ratio
+  if (spelling) {
+    history_ = history_ << 8 | (spelling->serial & 0xFF);
+    row_ = size_t(history_ * odd >> 54) % after_.size();
+    pair_ = (spelling->serial * spread + (last_ ? last_->serial : 0)) % followed_.size();
+  }
   last_ = spelling;
 }
 

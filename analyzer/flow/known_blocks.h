@@ -22,7 +22,7 @@ public:
     Block ahead;                           ///< another of them, read before it is its turn
     bool isPattern = false;                ///< blocks can be read over `block`
     bool hasAhead = false;                 ///< `ahead` may be read over
-    std::array<Spelling *, 2> followers{}; ///< of the blocks that came after such a one, the last
+    std::array<Spelling *, 8> followers{}; ///< of the blocks that came after such a one, the last
                                            ///< one first; null: none
     unsigned refused = 0;                  ///< how often such a block did more than is known
   };
@@ -30,8 +30,9 @@ public:
   struct Known {
     uint64_t spelling = 0; ///< its serial number
     uint64_t before = 0;   ///< the modes before it, see `modesNumber`
-    uint64_t after = 0;    ///< and after it
-    StateUse use;          ///< what executing it looks at
+    /// The modes after it, and its `Outcome::known`, by `KnownMove::variantOf`; 0: not made out.
+    std::array<uint64_t, KnownMove::variants> after{}, number{};
+    StateUse use; ///< what executing it looks at
     KnownMove move;
     Outcome outcome; ///< whose words are those of the spelling's block
   };
@@ -67,11 +68,14 @@ private:
   Spelling *expect(Read read) const {
     if (!last_)
       return nullptr;
-    Spelling *const after = after_[pair_];
+    Spelling *const after = after_[row_], *const often = followed_[pair_];
     if (after && after->isPattern && read(*after))
       return after;
+    if (often && often != after && often->isPattern && read(*often))
+      return often;
     for (Spelling *const follower : last_->followers)
-      if (follower && follower != after && follower->isPattern && read(*follower))
+      if (follower && follower != after && follower != often && follower->isPattern &&
+          read(*follower))
         return follower;
     return nullptr;
   }
@@ -92,8 +96,11 @@ private:
   const QuickReader &reader_;
   const AddressMask free_;
   Spelling *last_ = nullptr;                         ///< of the block before; null: it has none
-  size_t pair_ = 0;                                  ///< of it and the one before it
-  std::array<Spelling *, 256> after_{};              ///< by pair: what came after it last
+  uint64_t history_ = 0;                             ///< of the last eight blocks, a byte for each
+  size_t row_ = 0;                                   ///< a number for all of them
+  size_t pair_ = 0;                                  ///< of the last one and the one before it
+  std::array<Spelling *, 1024> after_{};             ///< by row: what came after it last
+  std::array<Spelling *, 256> followed_{};           ///< the same by pair
   uint32_t peekedAt_ = ~0u;                          ///< which block was read before its turn
   Spelling *peeked_ = nullptr;                       ///< its spelling; null: it could not be read
   std::vector<std::unique_ptr<Spelling>> spellings_; ///< one of them is given up for a further one

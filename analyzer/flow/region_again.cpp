@@ -232,10 +232,7 @@ void RegionRun::learnMove(Live &live, uint64_t situation) {
   known->move = std::move(*move);
   known->outcome = *outcome_;
   known->use = blockUse_;
-  if (!known->move.engages) { // else the modes after it are not always the same
-    known->outcome.known = ++run_.knownBlocks;
-    known->after = modesNumber(*unit_.dialect, live.state);
-  }
+  leaveModes(*known, live.state);
   kept_->moves.push_back(std::move(known));
 }
 

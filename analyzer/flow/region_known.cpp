@@ -119,7 +119,12 @@ void RegionRun::keepBefore(const MachineState &state) {
 /// The same after a block that has changed no modes.
 void RegionRun::keepMotion(const MachineState &state) {
   copyMotion(before_, state);
-  for (const CodeUse &use : outcome_->codes) { // which it has named though they were in force
+  keepOrigins(state);
+}
+
+/// Of codes that the block before has named though they were in force.
+void RegionRun::keepOrigins(const MachineState &state) {
+  for (const CodeUse &use : outcome_->codes) {
     const GroupIndex group = unit_.dialect->codes[use.code].group;
     before_.origin.all()[group] = state.origin.all()[group];
   }
@@ -157,9 +162,21 @@ void RegionRun::make(KnownBlocks::Known &known, Live &live) {
   calculated_ = false;
   outcome_ = &known.outcome;
   blockUse_ = known.use;
-  stateUse |= blockUse_;
+  if (recorder_)
+    stateUse |= blockUse_;
   known.move.make(*block_, unit_.source.id(), before_, live.state, known.outcome, numbers_);
-  modes_ = known.after ? known.after : modesNumber(*unit_.dialect, live.state);
+  leaveModes(known, live.state);
+}
+
+/// The modes after such a block: those that it has left before in such a case.
+void RegionRun::leaveModes(KnownBlocks::Known &known, const MachineState &state) {
+  const size_t variant = known.move.variantOf(state);
+  if (!known.after[variant]) {
+    known.after[variant] = modesNumber(*unit_.dialect, state);
+    known.number[variant] = ++run_.knownBlocks;
+  }
+  modes_ = known.after[variant];
+  known.outcome.known = known.number[variant];
 }
 
 /// The block was executed in full, in `modes_`: finds out what others like it do.
@@ -179,11 +196,8 @@ void RegionRun::learn(Live &live) {
   known.move = std::move(*move);
   known.outcome = *outcome_;
   known.use = blockUse_;
-  modes_ = known.after = modesNumber(*unit_.dialect, live.state);
-  if (known.move.engages) // the modes after it are not always the same
-    known.outcome.known = known.after = 0;
-  else
-    known.outcome.known = ++run_.knownBlocks;
+  known.after.fill(0);
+  leaveModes(known, live.state);
 }
 
 } // namespace ncvet

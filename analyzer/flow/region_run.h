@@ -36,7 +36,8 @@ private:
   bool arrive();
   bool isAtEnd();
   void runOut();
-  bool takeOver();
+  bool takeOver() { return (recorder_ || replay_) && takeOverRun(); }
+  bool takeOverRun();
   bool goOnInStretch();
   bool mayGoOn() const;
   void goOnOnce(Live &live);
@@ -82,6 +83,7 @@ private:
   void readStraight();
   bool doAsKnown(Live &live);
   void make(KnownBlocks::Known &known, Live &live);
+  void leaveModes(KnownBlocks::Known &known, const MachineState &state);
   void learn(Live &live);
   bool noteRead();
   bool countSteps(uint64_t blocks);
@@ -101,6 +103,7 @@ private:
   void execute(Live &live);
   void keepBefore(const MachineState &state);
   void keepMotion(const MachineState &state);
+  void keepOrigins(const MachineState &state);
   void keepVariables(const MachineState &state);
   bool onlyCalculates() const;
   void tell(Live &live);

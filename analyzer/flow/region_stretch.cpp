@@ -1,6 +1,7 @@
 // Stretches of a region: blocks that only go on as the one before, executed at the cost of their
 // numbers. What they do is what the general way in region_run.cpp does.
 #include "analyzer/flow/region_run.h"
+#include "interp/state/copy_motion.h"
 
 namespace ncvet {
 
@@ -67,11 +68,14 @@ void RegionRun::goOnUntold(Live &live) {
   // What else `mayGoOn` asks changes in none of these blocks.
   const uint32_t limit = straightLimit();
   const bool wantStill = run_.listeners.wantStill();
+  keepBefore(live.state);
+  done_ = nullptr;
   while (!run_.stopped && at_ < limit && readOver() && noteRead() && spend()) {
-    keepBefore(live.state);
-    done_ = nullptr;
+    move_->keepPlaces(live.state, before_); // nobody looks at more of what was before the block
+    keepOrigins(live.state);
     move_->make(*block_, unit_.source.id(), before_, live.state);
     if (wantStill && move_->leadsNowhere(before_, live.state)) {
+      copyMotion(before_, live.state); // the block before it has led there
       run_.visits.begin();
       run_.visits.visit(live.path);
       run_.listeners.executed(stepOf(live), true, run_.stopped);

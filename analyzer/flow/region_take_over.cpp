@@ -4,8 +4,8 @@
 namespace ncvet {
 
 /// Goes over a run of blocks of which an earlier analysis knows what it does.
-bool RegionRun::takeOver() {
-  if ((!recorder_ && !replay_) || at_ == refused_)
+bool RegionRun::takeOverRun() {
+  if (at_ == refused_)
     return false;
   refused_ = at_;
   if (lives_.size() != 1 || !activation_.pending.isEmpty() || at_ < activation_.high) {

@@ -18,7 +18,8 @@ struct PlainRun {
 
   bool goesOn(const Block &block, const Outcome &outcome, const MachineState &before) {
     if (!outcome.plainMove) {
-      *this = {};
+      if (addresses)
+        *this = {};
       return false;
     }
     const uint64_t named = hashOf(outcome);

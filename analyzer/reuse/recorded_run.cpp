@@ -23,7 +23,8 @@ void putUnused(Bits &to, Bits from, Bits use) {
 template <typename Visit>
 void forEachOrigin(const StateUse &use, const Visit &visit) {
   forEachBit(use.groupOrigins, visit);
-  forEachBit(use.otherOrigins, [&](size_t i) {
+  const uint64_t ages = use.ages ? use.ages | bitOf(StatePart::Tool) : 0;
+  forEachBit(use.otherOrigins | ages, [&](size_t i) {
     if (i < OriginState::count - maxGroups)
       visit(maxGroups + i);
   });

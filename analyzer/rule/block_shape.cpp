@@ -61,6 +61,9 @@ Sum withState(Sum sum, const StateUse &use, const MachineState &state) {
           uint64_t(bool(state.modalCalls)) << 18 | uint64_t(state.pendingCycle) << 32);
   sum.add(uint64_t(state.machineAxes) << 32 | llvm::bit_cast<uint32_t>(state.transforms));
   sum.add(state.cycle.present);
+  if (use.ages)
+    for (const StatePart part : OriginState::aging)
+      sum.add(uint64_t(state.origin.isOlder(part)));
   return sum;
 }
 
@@ -179,7 +182,8 @@ uint64_t modesOf(const StateUse &use, const MachineState &before, const MachineS
 
 bool isSame(const StateUse &a, const StateUse &b) {
   return a.groups == b.groups && a.facts == b.facts && a.others == b.others &&
-         a.groupOrigins == b.groupOrigins && a.otherOrigins == b.otherOrigins && a.aside == b.aside;
+         a.groupOrigins == b.groupOrigins && a.otherOrigins == b.otherOrigins && a.ages == b.ages &&
+         a.aside == b.aside;
 }
 
 bool coversModes(const StateUse &use) {

@@ -134,6 +134,7 @@ void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outc
   context_.ahead_ = nullptr;
   context_.arcWords_.reset();
   context_.arc_.reset();
+  context_.startNotes();
 }
 
 void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
@@ -281,6 +282,7 @@ void Dispatcher::tellOne(const Event &event, const Listener &listener) {
 RuleSleep Dispatcher::sleepsInShape(const Event &event, const Listener &listener) {
   const uint64_t reports = context_.collector_.reports();
   ruleSleep = RuleSleep::No;
+  context_.startNotes();
   tellOne(event, listener);
   const RuleSleep said = std::exchange(ruleSleep, RuleSleep::No);
   if (reports != context_.collector_.reports() || !coversModes(stateUse))
@@ -324,6 +326,7 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
   for (size_t i = 0; i < awake_.size();) {
     const auto &[event, listener, inRow] = awake_[i];
     context_.rule_ = listener.id;
+    context_.startNotes();
     const StateUse used = std::exchange(stateUse, StateUse());
     listener.rule->on(outcome.events[event], context_);
     const RuleSleep said = std::exchange(ruleSleep, RuleSleep::No);

@@ -59,6 +59,8 @@ const Block *RuleContext::nextAlike() const {
 }
 
 const ArcWords &RuleContext::arcWords() const {
+  if (std::exchange(arcWordsNoted_, true))
+    return *arcWords_;
   const KnownArcs::Entry *const entry = knownArcs_ ? knownArcs_->find(outcome_->known) : nullptr;
   if (entry)
     stateUse |= entry->wordsUse;

@@ -271,6 +271,8 @@ private:
     RuleId as;
     bool wanted; ///< the user has not left it out
   };
+  /// Another rule is told: what it looks at is noted anew.
+  void startNotes() { arcWordsNoted_ = false; }
   /// Whether the block has the code, or without any moves by it; always when `name` is empty.
   bool isAt(llvm::StringRef name) const;
   /// The rule under whose name what is found in this block is told; none: it is not wanted.
@@ -292,6 +294,7 @@ private:
   TextAhead *ahead_ = nullptr;
   mutable std::optional<ArcWords> arcWords_;
   mutable std::optional<ArcGeometry> arc_;
+  mutable bool arcWordsNoted_ = false;          ///< what they depend on, since `startNotes`
   mutable const FileUnit *centresOf_ = nullptr; ///< for whose control and machine these are:
   mutable ArcCentres centres_ = ArcCentres::Incremental;
   mutable std::unique_ptr<KnownArcs> knownArcs_; ///< made when an arc is asked for

@@ -52,6 +52,16 @@ inline uint32_t digitsAt(const char *first, unsigned digits) {
   return eightDigits((values ^ digitZeros) << (64 - 8 * digits));
 }
 
+/// Whether the word is the same in both lines.
+inline bool haveSameWord(const char *a, const char *b, unsigned length) {
+  uint64_t left, right;
+  if (length > sizeof left)
+    return std::memcmp(a, b, length) == 0;
+  std::memcpy(&left, a, sizeof left);
+  std::memcpy(&right, b, sizeof right);
+  return ((left ^ right) << (64 - 8 * length)) == 0;
+}
+
 /// Puts the number at `letter` into `word`, whose number has its sign, its digits and its point at
 /// the same places. False: it is too long, or the block would have another meaning.
 inline bool readDigits(const char *letter, Word &word) {
@@ -92,7 +102,7 @@ inline bool readSameLayout(llvm::StringRef text, uint32_t offset, AddressMask fr
   for (Word &word : block.words) {
     const char *const at = text.begin() + word.offset;
     if (free & maskOf(word.address) ? !readDigits(at + by, word)
-                                    : std::memcmp(at, at + by, word.length) != 0)
+                                    : !haveSameWord(at, at + by, word.length))
       return false;
   }
   if (hasNumber) {

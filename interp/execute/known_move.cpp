@@ -89,7 +89,7 @@ void KnownMove::drill(const Block &block, MachineState &state, Outcome &outcome,
   CycleWords &cycle = state.cycle;
   for (size_t i = 0; i < steps.size(); ++i) {
     const Word &word = block.words[steps[i].word];
-    cycle.value[word.address] = word.has(wordExpression) ? numbers[i] : word.value();
+    cycle.value[letters[i]] = word.has(wordExpression) ? numbers[i] : word.value();
   }
   cycle.present = cycleWords;
   outcome.holes[0] = state.position;
@@ -123,8 +123,11 @@ void KnownMove::catchUp(const MachineState &after, MachineState &before) const {
   before.idleBlocks = idleBlocks;
   before.compensation = compensation;
   before.radiusOffset.peek() = radiusOffset;
-  if (hole != HoleEnd::None)
-    before.cycle = after.cycle;
+  if (hole == HoleEnd::None)
+    return;
+  for (const uint8_t letter : letters)
+    before.cycle.value[letter] = after.cycle.value[letter];
+  before.cycle.present = cycleWords;
 }
 
 } // namespace ncvet

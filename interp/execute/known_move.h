@@ -29,7 +29,8 @@ struct KnownMove {
     uint8_t word; ///< index in `Block::words`
   };
   llvm::SmallVector<PlainMove::Step, 6> steps;
-  llvm::SmallVector<Code, 2> codes; ///< of groups in which others were in force before it
+  llvm::SmallVector<uint8_t, 6> letters; ///< of a hole: of its steps, which its cycle keeps
+  llvm::SmallVector<Code, 2> codes;      ///< of groups in which others were in force before it
   llvm::SmallVector<Place, 4> places;
   double unit = 1; ///< millimetres per programmed unit of length
   bool isRapid = false;
@@ -39,6 +40,7 @@ struct KnownMove {
   bool computes = false;     ///< expressions give some of the numbers
   bool isSimple = false;     ///< see `simpleAxes`
   bool engages = false;      ///< compensation: what is noted of it depends on the way along X
+  bool renews = false;       ///< sets a part that may be older than the tool
   HoleEnd hole = HoleEnd::None;
   Axis tool = Axis::Z; ///< the axis along which it drills
   // As they are after the block.
@@ -50,6 +52,18 @@ struct KnownMove {
   uint8_t compensation = phaseOff;
   int32_t radiusOffset = notSet;
   Interval feed;
+
+  /// Which of the modes that it may leave, all else being the same, `after` has: those differ in
+  /// the side from which the tool comes to a contour, and in what is older than the tool.
+  size_t variantOf(const MachineState &after) const {
+    if (!engages && !renews)
+      return 0;
+    const auto holds = [&](Fact fact) { return size_t(after.factsMay & bitOf(fact) ? 1 : 0); };
+    const auto isOlder = [&](StatePart part) { return size_t(after.origin.isOlder(part)); };
+    return holds(Fact::EnteredInward) | holds(Fact::EnteredOutward) << 1 |
+           isOlder(StatePart::Compensation) << 2 | isOlder(StatePart::Cycle) << 3;
+  }
+  static constexpr size_t variants = 16;
 
   /// Of `steps`, where expressions give some of them.
   using Numbers = llvm::SmallVector<double, 6>;

@@ -216,6 +216,7 @@ bool Execution::knownPlaces(KnownMove &move, const StateUse &use) const {
     if (word == block_.words.end())
       return false;
     move.places.push_back({uint8_t(part), uint8_t(word - block_.words.begin())});
+    move.renews |= OriginState::ages(part);
   }
   return true;
 }
@@ -232,6 +233,8 @@ std::optional<KnownMove> Execution::asKnownMove(const StateUse &use) const {
     if (const AddressInfo &address = dialect_.addresses[block_.words[i].address];
         address.kind == AddressKind::Axis || address.kind == AddressKind::Increment) {
       move.steps.push_back({i, plainTarget(address, relative)});
+      if (move.hole != HoleEnd::None)
+        move.letters.push_back(block_.words[i].address);
       move.computes |= block_.words[i].has(wordExpression);
     }
   for (uint8_t i = 0; i < dialect_.groups.size(); ++i)

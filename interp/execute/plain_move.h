@@ -58,6 +58,11 @@ struct PlainMove {
   /// Does what executing the block does, after a block that only differs in its numbers and that
   /// has left the same facts.
   void make(const Block &block, FileId file, const MachineState &before, MachineState &state) const;
+  /// Makes the places in `before`, from which the last such move led to `after`, those in `after`.
+  void keepPlaces(const MachineState &after, MachineState &before) const {
+    for (const Step &step : steps)
+      before.at(step.target.axis) = after.at(step.target.axis);
+  }
   /// Whether it was made and has left each of its axes where it was.
   bool leadsNowhere(const MachineState &before, const MachineState &after) const {
     return llvm::all_of(steps, [&](const Step &step) {

@@ -28,7 +28,9 @@ uint64_t modesNumber(const Dialect &dialect, const MachineState &state) {
           uint64_t(state.compensation) << 16 | uint64_t(state.idleBlocks) << 24 |
           uint64_t(state.profile) << 32 | uint64_t(state.seeksBranch) << 40 |
           uint64_t(state.restoresModes) << 41 | uint64_t(state.frames.empty()) << 42 |
-          uint64_t(bool(state.modalCalls)) << 43);
+          uint64_t(bool(state.modalCalls)) << 43 |
+          uint64_t(state.origin.isOlder(StatePart::Cycle)) << 44 |
+          uint64_t(state.origin.isOlder(StatePart::Compensation)) << 45);
   sum.add(uint64_t(state.machineAxes) << 32 | llvm::bit_cast<uint32_t>(state.transforms));
   sum.add(uint64_t(state.switches.may) << 32 | state.switches.must);
   for (uint32_t left = state.switches.may; left; left &= left - 1)

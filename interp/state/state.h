@@ -243,6 +243,12 @@ public:
   const Origin &of(StatePart part) const { return look(indexOf(part)); }
   const Origin &ofSwitch(size_t index) const { return look(maxGroups + index); }
   const Origin &ofGroup(size_t group) const { return look(group); }
+  /// Whether the tool was changed after the part was set, as the text of one file has them. Where
+  /// nothing else is looked at, that is a mode as others are.
+  bool isOlderThanTool(StatePart part) const {
+    stateUse.ages |= bitOf(part);
+    return isOlder(part);
+  }
   void set(StatePart part, const Origin &origin) { put(indexOf(part), origin); }
   void setSwitch(size_t index, const Origin &origin) { put(maxGroups + index, origin); }
   void setGroup(size_t group, const Origin &origin) { put(group, origin); }
@@ -250,6 +256,17 @@ public:
   /// Without notice.
   const Places &all() const { return at_; }
   Places &all() { return at_; }
+  bool isOlder(StatePart part) const {
+    const Origin &on = at_[indexOf(part)], &tool = at_[indexOf(StatePart::Tool)];
+    return on.known() && tool.known() && on.file == tool.file && tool.begin > on.begin;
+  }
+  /// Parts of which that may be asked.
+  static constexpr std::array<StatePart, 2> aging{StatePart::Cycle, StatePart::Compensation};
+  /// Whether the place, an index in `all`, decides that.
+  static constexpr bool ages(size_t place) {
+    return place == indexOf(StatePart::Tool) || place == indexOf(aging[0]) ||
+           place == indexOf(aging[1]);
+  }
 
 private:
   static constexpr size_t indexOf(StatePart part) { return maxGroups + maxSwitches + size_t(part); }

@@ -41,10 +41,11 @@ struct StateUse {
   uint64_t facts = 0;
   uint64_t others = 0;                         ///< switches, and above them the parts
   uint64_t groupOrigins = 0, otherOrigins = 0; ///< where they were set
-  bool aside = false;                          ///< what rules keep aside, see `RuleMemory::aside`
+  uint64_t ages = 0;  ///< parts of which it was asked whether they are older than the tool
+  bool aside = false; ///< what rules keep aside, see `RuleMemory::aside`
 
   void everything() {
-    groups = facts = others = groupOrigins = otherOrigins = ~uint64_t(0);
+    groups = facts = others = groupOrigins = otherOrigins = ages = ~uint64_t(0);
     aside = true;
   }
   bool has(StatePart part) const { return others & bitOf(part); }
@@ -54,6 +55,7 @@ struct StateUse {
     others |= other.others;
     groupOrigins |= other.groupOrigins;
     otherOrigins |= other.otherOrigins;
+    ages |= other.ages;
     aside |= other.aside;
     return *this;
   }

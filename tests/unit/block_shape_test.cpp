@@ -58,6 +58,13 @@ TEST(BlockShape, OnlyWhatWasLookedAtTellsModesApart) {
     two = one;
     two.compensation = phaseOn;
     EXPECT_NE(modesOf({}, one, one), modesOf({}, one, two)) << "it is looked at without notice";
+    two = one;
+    two.origin.set(StatePart::Cycle, {unit.source.id(), 0, 1});
+    two.origin.set(StatePart::Tool, {unit.source.id(), 1, 2});
+    EXPECT_EQ(modesOf({}, one, one), modesOf({}, two, two));
+    use.ages = bitOf(StatePart::Cycle);
+    EXPECT_NE(modesOf(use, one, one), modesOf(use, two, two)) << "the cycle is older than the tool";
+    EXPECT_TRUE(coversModes(use));
     use.otherOrigins = 1;
     EXPECT_FALSE(coversModes(use)) << "where things were set is no mode";
   });
