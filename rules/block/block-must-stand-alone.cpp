@@ -178,15 +178,36 @@ private:
       return mistypedWord(range, ctx);
     if (auto finding = ctx.report(range))
       // A name that no program in sight has may be a macro of the machine's builder.
-      finding
-          .severity(item.kind == ItemKind::Call && mayBeMacro(item, ctx)
-                        ? std::optional(Severity::Style)
-                        : std::nullopt)
+      finding.severity(severityOf(item, ctx))
           .message(marked ? "`{0}` carries a label or a skip mark, which a bracket of structured "
                             "flow may not have"
                           : "`{0}` shares its block with other words: it wants a block of its "
                             "own",
                    ctx.text(range));
+  }
+
+  /// What no program in sight is may be a cycle or a macro of the machine's builder.
+  static std::optional<Severity> severityOf(const Item &item, const RuleContext &ctx) {
+    if (item.kind != ItemKind::Call || isNumbered(item, ctx) || isKnownProgram(ctx))
+      return std::nullopt;
+    return mayBeMacro(item, ctx) ? Severity::Style : Severity::Warning;
+  }
+
+  /// `L100`
+  static bool isNumbered(const Item &call, const RuleContext &ctx) {
+    const llvm::StringRef name =
+        ctx.text(SourceRange{ctx.source().id(), call.nameBegin, call.nameEnd});
+    return name.size() > 1 &&
+           llvm::all_of(name.drop_front(), [](char c) { return llvm::isDigit(c); });
+  }
+
+  static bool isKnownProgram(const RuleContext &ctx) {
+    bool known = false;
+    eachCalledBlock(ctx.unitOf(ctx.source().id()), ctx.block(), [&](const Block &) {
+      known = true;
+      return false;
+    });
+    return known;
   }
 
   static bool wantsOwnBlock(size_t index, const RuleContext &ctx) {
@@ -221,18 +242,8 @@ private:
 
   /// A bare name, and no program of it is known: definitions of the machine may have it as words.
   static bool mayBeMacro(const Item &call, const RuleContext &ctx) {
-    const llvm::StringRef name =
-        ctx.text(SourceRange{ctx.source().id(), call.nameBegin, call.nameEnd});
-    const bool numbered =
-        name.size() > 1 && llvm::all_of(name.drop_front(), [](char c) { return llvm::isDigit(c); });
-    bool known = false;
-    if (call.arguments || numbered || ctx.text(ctx.range(call)).contains('('))
-      return false;
-    eachCalledBlock(ctx.unitOf(ctx.source().id()), ctx.block(), [&](const Block &) {
-      known = true;
-      return false;
-    });
-    return !known;
+    return !call.arguments && !isNumbered(call, ctx) && !ctx.text(ctx.range(call)).contains('(') &&
+           !isKnownProgram(ctx);
   }
 
   /// A name that the program defines as words: they take its place.

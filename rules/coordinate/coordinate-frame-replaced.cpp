@@ -38,20 +38,33 @@ public:
 
 private:
   /// The frames in force began with the same code: the next place of a part begins anew, as
-  /// `TRANS`, `AROT` and `TRANS` again.
+  /// `TRANS`, `AROT` and `TRANS` again. After `TRANS X40 Y30` and `ATRANS X75` a `TRANS X75` gives
+  /// up Y, where a row of ATRANS goes on.
   static bool beganAlike(const CodeInfo &code, const RuleContext &ctx) {
     constexpr unsigned furthest = 200; // blocks
     Block block;
-    bool added = false;
+    bool added = false, alikeLast = false;
     bool more = readPrevious(ctx, block);
     for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block)) {
       const CodeInfo *const frame =
           findCode(ctx.dialect(), block, {Action::FrameSet, Action::FrameAdd, Action::FrameClear});
       if (frame && frame->action != Action::FrameAdd)
-        return added && frame->name == code.name;
+        return added && frame->name == code.name && !(alikeLast && losesAxis(block, ctx));
+      if (frame && !added)
+        alikeLast = frame->frame == code.frame &&
+                    axesOf(ctx.dialect(), block) == axesOf(ctx.dialect(), ctx.block());
       added |= frame != nullptr;
     }
     return false;
+  }
+
+  /// The first frame moves an axis that this one does not name.
+  static bool losesAxis(const Block &first, const RuleContext &ctx) {
+    return llvm::any_of(first.words, [&](const Word &word) {
+      const AddressMask mask = maskOf(word.address);
+      return (mask & ctx.dialect().axisWords) && !ctx.block().hasAny(mask) && word.isNumber() &&
+             word.mantissa != 0;
+    });
   }
 
   /// `TRANS X0 Y0 Z0` takes the frame away, and says so.

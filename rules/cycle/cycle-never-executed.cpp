@@ -42,7 +42,7 @@ public:
             parameters_.insert({spec.variable, spec.orVariable});
     if (!parameters_.empty())
       to.on(EventKind::Statement);
-    to.onCode([](const CodeInfo &code) { return countsFrames(code); });
+    to.onCode([](const CodeInfo &code) { return countsFrames(code) || code.cancelsCalls; });
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -64,6 +64,8 @@ public:
       ctx.reportNotices(id, event);
       if (countsFrames(ctx.code(event)))
         return counts(event, ctx);
+      if (ctx.code(event).cancelsCalls)
+        return endsCall(ctx);
       memory().storedIn =
           ctx.block().numberEnd > ctx.block().begin
               ? SourceRange{ctx.source().id(), ctx.block().begin, ctx.block().numberEnd}
@@ -97,6 +99,23 @@ public:
   }
 
 private:
+  /// `MCALL SLOT(5)` and `MCALL` in the next block: the program never runs.
+  static void endsCall(RuleContext &ctx) {
+    Block previous;
+    if (ctx.block().words.size() != 1 || !ctx.block().items.empty() || !readPrevious(ctx, previous))
+      return;
+    for (const Item &item : previous.items) {
+      if (item.kind != ItemKind::Call || !item.modal)
+        continue;
+      const SourceRange call{ctx.source().id(), item.begin, item.end};
+      if (auto finding = ctx.report(call))
+        finding
+            .message("`{0}` is to run after each move, and the next block ends it: it never runs",
+                     ctx.text(call))
+            .note(ctx.blockRange(), "the modal call ends here");
+    }
+  }
+
   /// A frame that is set once per pass.
   static bool countsFrames(const CodeInfo &code) {
     return code.action == Action::FrameAdd &&

@@ -3,6 +3,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/mode_reliance.h"
+#include "analyzer/program/callers.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -98,7 +99,8 @@ private:
         left.push_back(dialect.switches[i].title);
         origins.push_back(state.origin.ofSwitch(i));
       }
-    if (left.empty())
+    // What a caller in sight goes on with is told where it is set.
+    if (left.empty() || (atCause_ && !callersOf(ctx.unit(), program).places.empty()))
       return;
     auto finding = ctx.report(where, event.certain);
     if (!finding)

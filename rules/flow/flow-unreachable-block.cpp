@@ -88,7 +88,8 @@ private:
         return;
       if (alarm && onlyWaits(block, ctx.dialect()))
         return;
-      if (!file.isReached(block.begin) && !onlyEndsLoop(block) && !endsAfterLoop(block, ctx))
+      if (!file.isReached(block.begin) && !onlyEndsLoop(block) &&
+          !(endsAfterLoop(block, ctx) && !ends))
         if (auto finding = ctx.report(contentOf(block, file.source)))
           finding.message("no path leads to this block: it is never executed");
       return;
@@ -104,9 +105,9 @@ private:
 
   /// The `M30` that a program has by habit after a loop without end, or after `M99`; a subprogram
   /// its return.
-  bool endsAfterLoop(const Block &block, const RuleContext &ctx) const {
-    return !afterEnd_ && findCode(ctx.dialect(), block,
-                                  {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return});
+  static bool endsAfterLoop(const Block &block, const RuleContext &ctx) {
+    return findCode(ctx.dialect(), block,
+                    {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return});
   }
 
   /// After an alarm programs wait, go on elsewhere or return by habit: nothing is lost.

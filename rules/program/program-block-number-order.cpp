@@ -23,6 +23,8 @@ public:
       return beginsInside(ctx);
     if (event.wordIssue() != WordIssue::NumberInside)
       return sleepInShape();
+    if (event.word->has(wordNoValue)) // syntax-incomplete-word speaks
+      return;
     // A local call may name its target so.
     if (ctx.find({Action::CallLocal, Action::MacroCall, Action::MacroModal}))
       return;

@@ -23,8 +23,10 @@ public:
     perRevolution_ = to.dialect().facts->feed.perRevolutionNeedsSpeed;
     if (perRevolution_ || !to.dialect().isLathe())
       to.onChange({EventKind::Motion});
-    if (!to.dialect().isLathe())
+    if (!to.dialect().isLathe()) {
       to.on(EventKind::ToolChange);
+      to.onChange({EventKind::CycleRun});
+    }
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -34,6 +36,8 @@ public:
       atToolChange(ctx);
     else if (event.kind == EventKind::Motion)
       atFeed(event, ctx);
+    else if (event.kind == EventKind::CycleRun)
+      atCycle(event, ctx);
     else
       atStart(event, ctx);
   }
@@ -103,6 +107,33 @@ private:
       else
         finding.message("`{0}` runs the spindle itself, but no speed was programmed", code.name);
     }
+  }
+
+  /// A cycle that cuts with the spindle as it runs.
+  void atCycle(const Event &event, RuleContext &ctx) const {
+    if (event.code == noCode || ctx.code(event).spindle != SpindleNeed::Running)
+      return sleepInShape();
+    if (!ctx.before().may(Fact::CutSinceTool) && othersHaveSpeeds(ctx))
+      ofToolBefore(event, ctx);
+  }
+
+  /// Two other tools of the program at least have an S of their own: drills of one size may share
+  /// one.
+  static bool othersHaveSpeeds(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    unsigned tools = 0;
+    bool counted = false;
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      if (findCode(ctx.dialect(), block, {Action::ToolChange}))
+        counted = false;
+      if (!block.has(letterAddress('S')) || counted ||
+          findCode(ctx.dialect(), block, {Action::SpeedLimit}))
+        continue;
+      counted = true;
+      if (++tools == 2)
+        return true;
+    }
+    return false;
   }
 
   /// The first cut with a tool that has no S of its own, after one that has cut with this S.
