@@ -16,6 +16,10 @@ public:
                  (planes && makesHole(code.cycle) && hasPlaneVariable(code));
         }))
       to.on(EventKind::CycleRun);
+    if (llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
+          return makesHole(code.cycle) && !code.words.empty() && code.words.front().position;
+        }))
+      to.on(EventKind::CycleStart);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -23,22 +27,11 @@ public:
       return;
     const CodeInfo &code = ctx.code(event);
     if (makesHole(code.cycle))
-      return wayToHole(event, code, ctx);
-    if (code.cycle != CycleKind::Pocket && code.cycle != CycleKind::Contour)
+      return hasPlaneVariable(code) ? wayToHole(event, code, ctx) : belowSurface(event, code, ctx);
+    if (event.kind != EventKind::CycleRun ||
+        (code.cycle != CycleKind::Pocket && code.cycle != CycleKind::Contour))
       return;
-    // The retraction plane is the first argument after the name of the contour; the plane of the
-    // part and the safety distance above it follow.
-    std::array<const WordSpec *, 3> specs{};
-    for (const WordSpec &spec : code.words)
-      if (spec.position && !spec.text) {
-        const WordSpec *next = &spec;
-        for (const WordSpec *&held : specs)
-          if (next && (!held || next->position < held->position))
-            std::swap(held, next);
-      }
-    std::array<const Word *, 3> words{};
-    for (size_t i = 0; i < specs.size(); ++i)
-      words[i] = specs[i] ? wordFor(ctx.block(), *specs[i]) : nullptr;
+    const std::array<const Word *, 3> words = planesOf(code, ctx);
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
     const Interval &from = ctx.before().at(tool);
@@ -61,6 +54,46 @@ public:
   }
 
 private:
+  /// The retraction plane is the first argument after the name of the contour; the plane of the
+  /// part and the safety distance above it follow.
+  static std::array<const Word *, 3> planesOf(const CodeInfo &code, const RuleContext &ctx) {
+    std::array<const WordSpec *, 3> specs{};
+    for (const WordSpec &spec : code.words)
+      if (spec.position && !spec.text) {
+        const WordSpec *next = &spec;
+        for (const WordSpec *&held : specs)
+          if (next && (!held || next->position < held->position))
+            std::swap(held, next);
+      }
+    std::array<const Word *, 3> words{};
+    for (size_t i = 0; i < specs.size(); ++i)
+      words[i] = specs[i] ? wordFor(ctx.block(), *specs[i]) : nullptr;
+    return words;
+  }
+
+  /// The tool is below the surface in which the holes begin, where the cycle is called.
+  static void belowSurface(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const std::array<const Word *, 3> words = planesOf(code, ctx);
+    const Axis tool = toolAxis(ctx.dialect(), before);
+    const Interval &from = before.at(tool);
+    const auto unit = millimetresPer(ctx.dialect(), before);
+    if (!words[0] || !words[1] || !unit || !from.isConstant() || !event.certain ||
+        !ctx.codeWord(event) || before.inMachineCoordinates(tool) ||
+        (axesOf(ctx.dialect(), ctx.block()) >> unsigned(tool) & 1) ||
+        before.may(Fact::UnknownCode) || before.profile != ProfileMode::Off)
+      return;
+    const Interval retract = ctx.value(*words[0]), part = ctx.value(*words[1]);
+    if (!part.isConstant() || !(retract.lo > part.value()) ||
+        from.value() >= part.value() * *unit - 1e-6)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is called at {1}, below the surface {2} in which its hole begins: the "
+                   "path to the hole is not free",
+                   code.name, shortNumber(from.value() / *unit), ctx.text(*words[1]));
+  }
+
   /// Above the part, but lower than the plane at which the cycle goes to its first point.
   static void belowRetract(const Event &event, const Word &retract, double from, RuleContext &ctx) {
     const Interval level = ctx.value(retract);
@@ -82,6 +115,8 @@ private:
   /// A drilling cycle whose planes are parameters goes to its hole at the level where it is,
   /// and only then to its start plane.
   static void wayToHole(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    if (event.kind != EventKind::CycleRun)
+      return;
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
     const Interval &from = ctx.before().at(tool);
     if (!ctx.dialect().cycleSurvivesMotion || !from.isConstant() || !hasPlaneVariable(code) ||
