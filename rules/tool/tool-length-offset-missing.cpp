@@ -46,6 +46,8 @@ public:
       return sleepInShape();
     const bool called = state.must(Fact::ToolCalled) || state.preselected > 0;
     // `M6 T0` leaves the spindle empty: nothing is too long.
+    if (called && state.must(Fact::LengthSinceTool))
+      return afterCancel(event, ctx);
     if (!called || (state.tool == 0 && state.preselected <= 0) ||
         state.must(Fact::LengthSinceTool) || event.code == noCode || event.inMachineCoordinates() ||
         event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
@@ -88,6 +90,32 @@ public:
   }
 
 private:
+  /// `G49`, and with the same tool a move to a height that was meant for its tip.
+  void afterCancel(const Event &event, RuleContext &ctx) const {
+    const auto off = [&](const MachineState &state) {
+      return state.isActive(ctx.dialect(), StandardGroup::LengthOffset, {Action::LengthOff}) ==
+             Truth::Yes;
+    };
+    if (!off(ctx.after()))
+      return sleepInShape();
+    if (!off(ctx.before()) || event.kind != EventKind::Motion || event.inMachineCoordinates() ||
+        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip ||
+        event.code == noCode || ctx.find({Action::ToolChange}) ||
+        ctx.after().may(Fact::UnknownCode) ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) !=
+            Truth::Yes) // an increment is the same with any length
+      return;
+    const Origin cancelled = ctx.after().originOf(ctx.dialect(), StandardGroup::LengthOffset);
+    if (!cancelled.known() || !memory().once.speaks(cancelled, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding.severity(Severity::Warning)
+          .message(
+              "the tool moves along its axis after its length offset was cancelled: the end of "
+              "the spindle goes to that height, and the tool is deeper by its length")
+          .note(cancelled, "the offset is cancelled here");
+  }
+
   /// Whether the file has an H other than 0.
   static bool namesLengths(const RuleContext &ctx) {
     for (const Block &block : blocks(ctx.index().reader()))
