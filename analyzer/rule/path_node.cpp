@@ -1,6 +1,8 @@
 // The path to a block, in words.
 #include "analyzer/rule/path_node.h"
 
+#include "formats/text/formatted.h"
+
 #include "llvm/ADT/STLExtras.h"
 
 #include <set>
@@ -27,6 +29,29 @@ std::string describe(const PathNode &node) {
   return {};
 }
 
+/// A macro that looks at all its arguments first makes a row of conditions that do not hold: of a
+/// longer one the first and the last are named, and how many are between.
+constexpr size_t mostInRow = 3;
+
+void shortenRows(std::vector<PathStep> &steps, llvm::ArrayRef<PathNode::Kind> kinds) {
+  std::vector<PathStep> kept;
+  for (size_t begin = 0; begin < steps.size();) {
+    size_t end = begin + 1;
+    if (kinds[begin] == PathNode::Kind::NoJump)
+      while (end < steps.size() && kinds[end] == PathNode::Kind::NoJump)
+        ++end;
+    if (end - begin > mostInRow) {
+      kept.push_back(std::move(steps[begin]));
+      kept.back().message =
+          formatted("when neither this condition nor the {0} after it hold", end - begin - 2);
+      begin = end - 1;
+    }
+    for (; begin < end; ++begin)
+      kept.push_back(std::move(steps[begin]));
+  }
+  steps = std::move(kept);
+}
+
 } // namespace
 
 std::vector<PathStep> stepsOf(const PathNode *path) {
@@ -34,12 +59,16 @@ std::vector<PathStep> stepsOf(const PathNode *path) {
   for (const PathNode *node = path; node; node = node->before)
     nodes.push_back(node);
   std::vector<PathStep> steps;
+  std::vector<PathNode::Kind> kinds;
   // A loop that is run for real takes the same jump in every pass: said once, it explains as much.
   std::set<std::pair<FileId, uint32_t>> jumps;
   for (const PathNode *node : llvm::reverse(nodes))
     if (node->kind != PathNode::Kind::Jump ||
-        jumps.insert({node->range.file, node->range.begin}).second)
+        jumps.insert({node->range.file, node->range.begin}).second) {
       steps.push_back({node->range, describe(*node)});
+      kinds.push_back(node->kind);
+    }
+  shortenRows(steps, kinds);
   return steps;
 }
 
