@@ -105,6 +105,10 @@ private:
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) !=
             Truth::Yes) // an increment is the same with any length
       return;
+    // Where the lengths are below zero, and the zero point is the machine's, Z0 is the home.
+    const Interval &to = ctx.after().at(Axis::Z);
+    if (!to.isConstant() || to.value() <= 0)
+      return;
     const Origin cancelled = ctx.after().originOf(ctx.dialect(), StandardGroup::LengthOffset);
     if (!cancelled.known() || !memory().once.speaks(cancelled, ctx))
       return;
