@@ -35,6 +35,8 @@ bool keepsCoordinates(const Dialect &dialect, const Block &block) {
   return llvm::all_of(codesOf(dialect, block), [&](CodeIndex index) {
     const CodeInfo &code = dialect.codes[index];
     return isMotion(code.action) || code.action == Action::Absolute ||
+           code.action == Action::CompensationLeft || code.action == Action::CompensationRight ||
+           code.action == Action::CompensationOff ||
            (code.letter == 'M' && code.action != Action::ToolChange) ||
            (code.group != noGroup && code.group == dialect.group(StandardGroup::LengthOffset));
   });

@@ -381,6 +381,8 @@ struct VariableFacts {
   /// First and last number of each range that shows places, which change while the control reads
   /// ahead.
   std::vector<int> shownAhead;
+  /// First and last number of each range that shows places in the work's coordinates.
+  std::vector<int> workPlaces;
   /// Functions of its family that the control lacks.
   std::vector<std::string> lacksFunctions;
   /// Names of the parts of a frame, which are the last index of its variable.

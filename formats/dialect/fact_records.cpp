@@ -429,13 +429,11 @@ constexpr Field variablesFields[] = {
     field<&VariableFacts::greatest>("greatest", count,
                                     "greatest number of a variable; 0: not limited", "2049"),
     field<&VariableFacts::lastKept>(
-        "lastKept", count, "last variable that keeps the value of an earlier program; 0: not known",
-        "2049"),
+        "lastKept", count, "last one that keeps an earlier program's value; 0: not known", "2049"),
     field<&VariableFacts::reservedFrom>("reservedFrom", count,
                                         "first variable that the control keeps for itself", "1000"),
     field<&VariableFacts::reservedTo>(
-        "reservedTo", number, "last variable that the control keeps for itself; -1: there are none",
-        "1049"),
+        "reservedTo", number, "last one that the control keeps for itself; -1: none", "1049"),
     flag<&VariableFacts::numbered>("numbered", "variables have numbers after `#`"),
     field<&VariableFacts::volatileFrom>(
         "volatileFrom", count, "variables from this number on do not keep their values; 0: all do",
@@ -452,9 +450,11 @@ constexpr Field variablesFields[] = {
         "first and last number of each range that the control's own macros write", "[550, 599]"),
     field<&VariableFacts::shownAhead>(
         "shownAhead", listOf(count),
-        "first and last number of each range that shows places, which change while the control "
-        "reads ahead",
+        "first and last number of each range of places that change as the control reads ahead",
         "[5021, 5069]"),
+    field<&VariableFacts::workPlaces>(
+        "workPlaces", listOf(count),
+        "first and last number of each range of places in the work's coordinates", "[5041, 5060]"),
     field<&VariableFacts::lacksFunctions>("lacksFunctions", texts,
                                           "functions of its family that the control lacks",
                                           R"(["FUP", "LN"])"),

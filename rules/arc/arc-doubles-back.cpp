@@ -6,23 +6,43 @@
 #include "interp/geometry/circle.h"
 
 #include <cmath>
+#include <map>
 
 namespace ncvet {
 namespace {
 
-class ArcDoublesBack final : public Rule {
+struct ArcDoublesBackMemory {
+  bool joins = false; ///< an arc by its radius joins its neighbours smoothly
+  /// Those that would do so the other way round, by their places.
+  std::map<TextPlace, SourceRange> turned;
+};
+
+class ArcDoublesBack final : public StatefulRule<ArcDoublesBackMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     cosine_ = unitVector(radiansOf(to.number("turn", 150))).x();
   }
 
+  /// One arc of all: what is done throughout is meant.
+  void finish(const FileSummary &, RuleContext &ctx) const override {
+    if (!memory().joins || memory().turned.size() != 1)
+      return;
+    if (auto finding = ctx.report(memory().turned.begin()->second))
+      finding.message("the arc makes a corner at both of its ends, and joins them smoothly when "
+                      "it is turned the other way round, as the others of the file are");
+  }
+
   void on(const Event &event, RuleContext &ctx) const override {
     // In a chain of arcs under one code none is turned otherwise than its neighbours.
     const ArcWords &words = ctx.arcWords();
-    if (event.code == noCode || !event.certain || !ctx.codeWord(event) || !words.hasCentre() ||
-        words.foreign || words.angle)
+    if (event.code == noCode || !event.certain || !ctx.codeWord(event) || words.foreign ||
+        words.angle || words.hasCentre() == (words.radius != nullptr))
       return sleepInShape();
+    if (words.radius)
+      return byRadius(ctx);
+    if (!ctx.block().hasAny(planeWords(ctx)))
+      return amongCircles(event, ctx);
     if (!isHalfATurnOrMore(event, ctx) || ctx.before().may(Fact::UnknownCode) ||
         goesOnAhead(directionAtEnd(event, ctx.arc()), ctx))
       return;
@@ -48,6 +68,79 @@ public:
   }
 
 private:
+  static AddressMask planeWords(const RuleContext &ctx) {
+    AddressMask words = 0;
+    for (const Axis axis : ctx.arcWords().axes)
+      for (size_t i = 0; i < ctx.dialect().addresses.size(); ++i)
+        if (ctx.dialect().addresses[i].kind == AddressKind::Axis &&
+            ctx.dialect().addresses[i].axis == axis)
+          words |= maskOf(AddressId(i));
+    return words;
+  }
+
+  /// A full circle between others about the same centre that all go round the other way.
+  static void amongCircles(const Event &event, RuleContext &ctx) {
+    const bool clockwise = event.motion == MotionKind::ArcCw;
+    Block block;
+    if (ctx.before().may(Fact::UnknownCode) || !readPrevious(ctx, block) ||
+        circleLike(block, ctx) != !clockwise)
+      return;
+    const SourceRange before = wordsRange(ctx, block);
+    Block after;
+    BlocksAhead ahead(ctx);
+    if (!ahead.next(after) || circleLike(after, ctx) != !clockwise)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("`{0}`: this circle goes round the other way than those before and after it",
+                   ctx.code(event).name)
+          .note(before, "the circle before it");
+  }
+
+  /// The direction of a full circle with the same centre words as the current one: true clockwise.
+  static std::optional<bool> circleLike(const Block &block, const RuleContext &ctx) {
+    const CodeInfo *const code = findCode(ctx.dialect(), block, {Action::ArcCw, Action::ArcCcw});
+    if (!code || !block.items.empty() || block.skip >= 0 || block.hasAny(planeWords(ctx)))
+      return std::nullopt;
+    const ArcWords &words = ctx.arcWords();
+    for (size_t i = 0; i < 2; ++i) {
+      const Word *const word = block.find(words.centreAddress[i]);
+      if ((word != nullptr) != (words.centre[i] != nullptr) ||
+          (word && (!word->isNumber() || !words.centre[i]->isNumber() ||
+                    word->value() != words.centre[i]->value())))
+        return std::nullopt;
+    }
+    return code->action == Action::ArcCw;
+  }
+
+  /// An arc by its radius after a line: whether it joins its neighbours smoothly, or would do so
+  /// when it were turned the other way round.
+  void byRadius(RuleContext &ctx) const {
+    constexpr double smooth = 0.9996, corner = 0.94; // cosines of 1.6 and 20 degrees
+    if (ctx.before().may(Fact::UnknownCode) ||
+        ctx.before().activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Linear)
+      return;
+    const auto arc = contourElementOf(executedBlock(ctx));
+    const auto before = arc && arc->arc ? directionBefore(ctx) : std::nullopt;
+    if (!before)
+      return;
+    const Vector chord = (arc->to - arc->from).normalized();
+    const auto turned = [&](const Vector &way) { return Vector(2 * way.dot(chord) * chord - way); };
+    const Vector begin = arc->direction(arc->from), end = arc->direction(arc->to);
+    const bool joins = begin.dot(*before) > smooth;
+    if ((!joins && turned(begin).dot(*before) < smooth) || begin.dot(turned(begin)) > corner)
+      return;
+    PathAhead ahead(ctx);
+    const auto next = ahead.next() ? contourElementOf(ahead.executed()) : std::nullopt;
+    if (!next || next->length() < arc->radius() / 2) // no element of a contour: the tool goes away
+      return;
+    const Vector after = next->direction(next->from);
+    if (joins)
+      memory().joins |= end.dot(after) > smooth;
+    else if (turned(end).dot(after) > smooth && memory().turned.size() < 2)
+      memory().turned[{ctx.source().id(), ctx.block().begin}] = ctx.blockRange();
+  }
+
   /// Whether the arc makes more than half a turn, as one of less does when it is turned the other
   /// way round, or half a turn after a line. Neighbours of others are not read: it costs time, and
   /// of half turns in a chain none is turned otherwise than its neighbours.

@@ -24,6 +24,8 @@ public:
     if (!words.hasCentre() || words.radius || words.foreign ||
         (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return sleepInShape();
+    if (!ctx.block().issues.empty()) // its words are not those that were meant
+      return;
     const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
     if (!centre || !arc.start || !arc.end)

@@ -4,6 +4,7 @@
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -16,11 +17,15 @@ public:
     to.onNotices(id);
     if (to.dialect().incrementWords)
       to.onAction({Action::FrameAdd});
+    if (!to.dialect().facts->variables.workPlaces.empty())
+      to.onAction({Action::DataInput});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::Statement) {
       ctx.reportNotices(id, event);
+      if (ctx.code(event).action == Action::DataInput)
+        return ofWorkPlace(ctx);
       return again(event, ctx);
     }
     sleepAtBlock();
@@ -63,6 +68,53 @@ private:
       }
     }
     return passes;
+  }
+
+  /// `G10 L2 P1 X#5001`: a place in the work's coordinates becomes its origin, which counts in the
+  /// machine's.
+  static void ofWorkPlace(RuleContext &ctx) {
+    constexpr double origins = 2, furtherOrigins = 20; // L
+    const Word *const kind = ctx.block().find(letterAddress('L'));
+    if (!kind || !kind->isNumber() ||
+        (kind->value() != origins && kind->value() != furtherOrigins) ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) ==
+            Truth::Yes ||
+        writesOtherOrigins(ctx))
+      return;
+    for (const Word &word : ctx.block().words) {
+      if (!(ctx.dialect().axisWords & maskOf(word.address)) || !namesWorkPlace(word, ctx))
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` is a place in the coordinates of the work, and an origin counts in "
+                        "those of the machine",
+                        ctx.text(word));
+      return;
+    }
+  }
+
+  static bool namesWorkPlace(const Word &word, const RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (!word.has(wordExpression) || size_t(word.mantissa) >= block.expressions.size())
+      return false;
+    const Expression &expression = block.expressions[size_t(word.mantissa)];
+    const ExpressionOp &op = block.operations[expression.first];
+    if (expression.count != 1 || op.op != Op::Variable)
+      return false;
+    const std::vector<int> &places = ctx.dialect().facts->variables.workPlaces;
+    for (size_t i = 0; i + 1 < places.size(); i += 2)
+      if (op.value >= places[i] && op.value <= places[i + 1])
+        return true;
+    return false;
+  }
+
+  /// An origin that the program sets to the machine's makes the coordinates the same.
+  static bool writesOtherOrigins(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+      if (block.begin != ctx.block().begin && findCode(ctx.dialect(), block, {Action::DataInput}) &&
+          llvm::none_of(block.words, [](const Word &word) { return word.has(wordExpression); }))
+        return true;
+    return false;
   }
 
   /// A distance that is added to the offset in every pass.

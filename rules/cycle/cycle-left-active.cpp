@@ -93,6 +93,11 @@ public:
     if ((reference || change) && !memory().once.speaks(before.origin.of(StatePart::Cycle), ctx) &&
         change)
       return;
+    // The control has stopped at a reference return: what is still on at the end has the same
+    // cause.
+    if (event.kind == EventKind::ProgramEnd &&
+        !memory().once.maySpeak(before.origin.of(StatePart::Cycle), ctx))
+      return;
     if (reference)
       underCycle(event, *cycle, active == Truth::Yes, ctx);
     else

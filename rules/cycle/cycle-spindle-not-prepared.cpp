@@ -27,8 +27,10 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
-    if (tapDirectly_ && tapping_ != noGroup && taps(code))
+    if (tapDirectly_ && tapping_ != noGroup && taps(code)) {
       between(event, ctx);
+      neverPrepared(event, code, ctx);
+    }
     if (!ctx.dialect().orientWords || !tapsByMove(code) ||
         ctx.after().may(Fact::OrientedSinceTool) || ctx.after().may(Fact::UnknownCode))
       return;
@@ -46,6 +48,25 @@ private:
     return code.action == Action::Cycle &&
            (code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
             code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft);
+  }
+
+  /// A tool that taps with neither a speed nor a start of its own: the spindle is stopped since the
+  /// tool before.
+  static void neverPrepared(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Origin &tool = state.origin.of(StatePart::Tool);
+    const Origin &speed = state.origin.of(StatePart::Speed);
+    const Origin &spindle = state.origin.of(StatePart::Spindle);
+    if (code.spindle != SpindleNeed::Any || state.spindle != spindleOff ||
+        state.may(Fact::UnknownCode) || !tool.known() || !speed.known() || !spindle.known() ||
+        tool.file != speed.file || speed.begin >= tool.begin)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("`{0}` taps while the spindle is stopped, and this tool has no speed",
+                   ctx.text(*event.word))
+          .note(spindle, "the spindle is stopped here")
+          .note(tool, "the tool is changed here");
   }
 
   /// Moves and speeds between the code that prepares rigid tapping and its cycle.

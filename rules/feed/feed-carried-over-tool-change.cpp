@@ -1,5 +1,6 @@
 // The first cut of a tool runs with the feed of the tool before it.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -32,8 +33,11 @@ public:
         !feed.known() || !tool.known() || feed.file != tool.file || feed.begin >= tool.begin ||
         ctx.block().has(letterAddress('F')) || tool.file != ctx.source().id())
       return;
+    const bool slip = othersHaveTheirOwn(ctx);
+    if (!slip && !ctx.asked())
+      return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
-      finding
+      finding.severity(slip ? std::optional(Severity::Warning) : std::nullopt)
           .message("`{0}` cuts with the feed of the tool before: this one has none of its own",
                    ctx.code(event).name)
           .note(feed, "the feed is programmed here")
@@ -41,6 +45,30 @@ public:
   }
 
 private:
+  /// At least three other tools of the program have a feed of their own at their first cut, and all
+  /// but this one.
+  static bool othersHaveTheirOwn(const RuleContext &ctx) {
+    constexpr unsigned habit = 3; // tools
+    const Dialect &dialect = ctx.dialect();
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    unsigned own = 0, lacking = 0;
+    bool waits = false; // for the first cut of a tool
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      if (dialect.toolChangeByT ? block.has(letterAddress('T'))
+                                : findCode(dialect, block, {Action::ToolChange}) != nullptr)
+        waits = true;
+      if (!waits)
+        continue;
+      const bool feeds = block.has(letterAddress('F'));
+      if (!feeds &&
+          !findCode(dialect, block, {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle}))
+        continue;
+      ++(feeds ? own : lacking);
+      waits = false;
+    }
+    return own >= habit && lacking == 1;
+  }
+
   static bool cuts(const Event &event, const RuleContext &ctx) {
     if (event.code == noCode || !ctx.code(event).needsFeed)
       return false;

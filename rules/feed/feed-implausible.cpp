@@ -20,6 +20,7 @@ public:
     perMinuteAbove_ = to.number("perMinuteAbove", 60'000);
     perRevolutionBelow_ = to.number("perRevolutionBelow", 0.008);
     perRevolutionAbove_ = to.number("perRevolutionAbove", 5);
+    roughingAbove_ = to.number("roughingAbove", 1.5);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -45,7 +46,7 @@ public:
     if (!mode)
       return carried ? sleepInShape() : unlikeBefore(event, ctx);
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
-    const bool unitsSaid = state.active(ctx.dialect(), StandardGroup::Units) != groupUnset;
+    const bool unitsSaid = state.originOf(ctx.dialect(), StandardGroup::Units).known();
     if (inch == Truth::Unknown && unitsSaid)
       return;
     const double feed = value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
@@ -57,6 +58,8 @@ public:
     if (mode->action == Action::FeedPerRevolution && !carried &&
         feed * (unitsSaid ? 1 : millimetresPerInch) < perRevolutionBelow_)
       return tooLittle(event, ctx);
+    if (perTurn && !tooFast && !carried && feed > roughingAbove_ && isOfContour(ctx))
+      return tooMuchForContour(event, ctx);
     if (!tooSlow && !tooFast)
       return sleepInShape();
     if (statedMode_ && !state.originOf(ctx.dialect(), StandardGroup::FeedMode).known())
@@ -105,6 +108,21 @@ private:
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is a feed of {1}: no machine cuts so fast", ctx.text(*event.word),
                       formatted("{0}", llvm::format("%.0f", event.feed().value())));
+  }
+
+  /// The block roughs or finishes a contour by turning.
+  static bool isOfContour(const RuleContext &ctx) {
+    return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      const CycleKind kind = ctx.code(use).cycle;
+      return kind == CycleKind::RoughTurn || kind == CycleKind::RoughFace ||
+             kind == CycleKind::Finish;
+    });
+  }
+
+  static void tooMuchForContour(const Event &event, RuleContext &ctx) {
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` per revolution along a contour: no tool turns with so much",
+                      ctx.text(*event.word));
   }
 
   static void tooLittle(const Event &event, RuleContext &ctx) {
@@ -156,6 +174,7 @@ private:
   double perMinuteAbove_ = 60'000;
   double perRevolutionBelow_ = 0.008; // mm
   double perRevolutionAbove_ = 5;     // mm
+  double roughingAbove_ = 1.5;        // mm
 };
 
 } // namespace

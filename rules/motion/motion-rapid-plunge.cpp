@@ -28,8 +28,10 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
-    if (lathe_)
+    if (lathe_) {
+      towardsChuck(event, ctx);
       return alongWork(event, ctx);
+    }
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
     if (isRapidWithFeed(ctx) && !endsLowerBelowZero(ctx))
       memory().feedsRapids = true;
@@ -42,7 +44,8 @@ public:
         hasWorkOfItsOwn(ctx) || mayBeTransformed(ctx.dialect(), ctx.after()) ||
         turnsWork(ctx.dialect(), ctx.after()))
       return;
-    if (intoClamp(event, ctx) || outOfCut(event, ctx) || withFeed(event, ctx))
+    if (intoClamp(event, ctx) || outOfCut(event, ctx) || withFeed(event, ctx) ||
+        beforeHome(event, ctx))
       return;
     // With a stock it is the end that counts, wherever the tool comes from.
     if (!top_ && (!wanted_ || event.axes != tool))
@@ -84,6 +87,78 @@ private:
       finding.message("this rapid move ends {0} inside the stock, along the tool: it goes into "
                       "the work at full speed",
                       shortLength(ctx, *stock.max[axis] - to.value()));
+  }
+
+  /// A mill: down to below zero, and then home, to the next tool or to the end, with nothing done
+  /// there: the retract has lost its other sign.
+  static bool beforeHome(const Event &event, RuleContext &ctx) {
+    const double from = ctx.before().at(Axis::Z).value(), to = ctx.after().at(Axis::Z).value();
+    if (!event.certain || event.axes != 1u << unsigned(Axis::Z) || to >= 0 ||
+        !ctx.before().may(Fact::CutSinceTool) || !ctx.after().frames.empty() ||
+        nextStation(ctx) != Station::Home)
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message("this rapid move goes {0} down to below zero, and the tool does nothing "
+                      "there before it goes away: a retract has the other sign",
+                      shortLength(ctx, from - to));
+    return true;
+  }
+
+  /// What comes next of a move, and of the way home, to the next tool or to the end.
+  enum class Station : uint8_t { None, Move, Home };
+
+  static Station nextStation(const RuleContext &ctx) {
+    constexpr unsigned furthest = 8; // blocks
+    const Dialect &dialect = ctx.dialect();
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (!next.items.empty() || llvm::any_of(next.words, [&](const Word &word) {
+            const CodeIndex code = codeOf(dialect, word);
+            return word.address == letterAddress('M') &&
+                   (code == noCode || dialect.codes[code].action == Action::MachineSpecific);
+          }))
+        return Station::None;
+      if (findCode(dialect, next,
+                   {Action::ReferenceReturn, Action::MachineMove, Action::ToolChange,
+                    Action::ProgramEnd, Action::ProgramEndRewind}) ||
+          (dialect.toolChangeByT && next.has(letterAddress('T'))))
+        return Station::Home;
+      if (namesAxes(dialect, next))
+        return Station::Move;
+    }
+    return Station::None;
+  }
+
+  /// A lathe: to the place where the program changes its tools, but for the sign of Z.
+  static void towardsChuck(const Event &event, RuleContext &ctx) {
+    constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
+    constexpr unsigned habit = 2; // tools
+    const Interval &to = ctx.after().at(Axis::Z);
+    const Word *const x = ctx.block().find(letterAddress('X'));
+    const Word *const z = ctx.block().find(letterAddress('Z'));
+    if (event.axes != both || !to.isConstant() || to.value() >= 0 || !x || !z || !x->isNumber() ||
+        !z->isNumber() || z->value() >= 0 || !event.certain || event.inMachineCoordinates() ||
+        ctx.before().profile != ProfileMode::Off || nextStation(ctx) != Station::Home)
+      return;
+    unsigned others = 0;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      const Word *const otherX = block.find(letterAddress('X'));
+      const Word *const otherZ = block.find(letterAddress('Z'));
+      if (block.begin == ctx.block().begin || !otherX || !otherZ || !otherX->isNumber() ||
+          !otherZ->isNumber() || otherX->value() != x->value())
+        continue;
+      if (otherZ->value() == z->value())
+        return;
+      others += otherZ->value() == -z->value();
+    }
+    if (others < habit)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` leads to the chuck: elsewhere the program goes to X{1} Z{2} before it "
+                      "changes the tool",
+                      ctx.text(*z), shortNumber(x->value()), shortNumber(-z->value()));
   }
 
   /// A lathe: a rapid move along the work with a feed in its block, after which the tool retracts
@@ -175,6 +250,9 @@ private:
     // Beside the part the tool may have come down at rapid: what tells then is that it leaves.
     const Interval level =
         fed.isConstant() || !leavesAtRapid(from, to, ctx) ? fed : Interval::exactly(0);
+    const Word *const word = ctx.block().find(letterAddress('Z'));
+    if (word && !word->isNumber()) // what is computed has no sign to lose
+      return false;
     if (!event.certain || !level.isConstant() || from >= level.value() ||
         before.may(Fact::AwayFromPart) || !before.must(Fact::CutSinceTool))
       return false;

@@ -1,4 +1,5 @@
 // A rapid move in the plane while the tool is still at cutting depth.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
@@ -54,12 +55,26 @@ public:
     if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown)) {
       finding.message("rapid in the plane at depth {0}: the tool was fed in from {1}",
                       placeText(ctx, from.value()), placeText(ctx, level));
-      if (comesFromCall(ctx))
+      if (comesFromCall(ctx) || isWithinContour(ctx))
         finding.severity(Severity::Warning);
     }
   }
 
 private:
+  /// Radius compensation is on, and the next move goes on along the contour: G00 for G01.
+  static bool isWithinContour(const RuleContext &ctx) {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    if (ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn ||
+        ctx.before().is(Fact::AwayFromPart) != Truth::No)
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    return ahead.next(next) && (axesOf(ctx.dialect(), next) & plane) &&
+           !(axesOf(ctx.dialect(), next) >> unsigned(Axis::Z) & 1) &&
+           !findCode(ctx.dialect(), next, {Action::CompensationOff}) &&
+           findCode(ctx.dialect(), next, {Action::Linear, Action::ArcCw, Action::ArcCcw});
+  }
+
   /// A called program has left the tool down there, and the move leads out of what it has cut.
   static bool comesFromCall(const RuleContext &ctx) {
     Block block;

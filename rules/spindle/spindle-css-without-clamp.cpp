@@ -1,6 +1,7 @@
 // Constant surface speed without a limit of the spindle's speed.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -37,6 +38,8 @@ public:
       return;
     const bool certain = !state.may(Fact::SpeedLimitSet) && !state.may(Fact::UnknownCode);
     if (auto finding = ctx.report(event, certain)) {
+      if (limitFollows_ && isLimitedLater(ctx))
+        finding.severity(Severity::Warning);
       finding.message(
           "`{0}` without a speed limit: near the centre the spindle runs up to its maximum",
           ctx.code(event).name);
@@ -49,17 +52,26 @@ public:
   }
 
 private:
+  static bool limits(const Block &block, const RuleContext &ctx) {
+    return block.has(letterAddress('S')) &&
+           findReading(ctx.dialect(), block,
+                       [](const CodeInfo &code) { return code.action == Action::SpeedLimit; });
+  }
+
+  /// The program limits the speed for one of its later tools: no setting of the machine does it.
+  static bool isLimitedLater(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index().reader(), ctx.block().next, program.end))
+      if (limits(block, ctx))
+        return true;
+    return false;
+  }
+
   /// The limit is in one of the next blocks, and nothing moves before it.
   static bool comesAtOnce(const RuleContext &ctx) {
     constexpr unsigned furthest = 3; // blocks
     return comesInTime(
-        ctx, furthest,
-        [&](const Block &next) {
-          return next.has(letterAddress('S')) &&
-                 findReading(ctx.dialect(), next, [](const CodeInfo &code) {
-                   return code.action == Action::SpeedLimit;
-                 });
-        },
+        ctx, furthest, [&](const Block &next) { return limits(next, ctx); },
         [&](const Block &next) { return namesAxes(ctx.dialect(), next); });
   }
 

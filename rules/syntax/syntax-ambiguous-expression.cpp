@@ -17,7 +17,7 @@ public:
     auto finding = ctx.report(range);
     if (!finding)
       return;
-    if (text.find_first_of("=<>") != llvm::StringRef::npos)
+    if (text.find_first_of("=<>") != llvm::StringRef::npos || comparesByLetters(text))
       finding.message("in `{0}` AND, OR and NOT bind stronger than the comparisons: write each "
                       "comparison in brackets",
                       text);
@@ -27,6 +27,13 @@ public:
                       text);
     else
       finding.message("no manual says in which order `{0}` is computed: write brackets", text);
+  }
+
+private:
+  /// `#1 GT 3`
+  static bool comparesByLetters(llvm::StringRef text) {
+    return llvm::any_of(std::initializer_list<llvm::StringRef>{"EQ", "NE", "GT", "GE", "LT", "LE"},
+                        [&](llvm::StringRef name) { return text.contains_insensitive(name); });
   }
 };
 

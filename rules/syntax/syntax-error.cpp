@@ -84,6 +84,8 @@ private:
   static const char *ofExpression(const SyntaxIssue &issue, const RuleContext &ctx) {
     if (issue.begin == issue.end)
       return "a value is missing here: the control stops";
+    if (assignsInCondition(issue, ctx))
+      return "`{0}`: `=` gives a value and compares nothing: `EQ` is meant";
     if (isOpenCondition(issue, ctx))
       return "`{0}`: a condition wants brackets around all of it: `IF [{0}]`";
     if (wantsBrackets(ctx, issue))
@@ -113,9 +115,13 @@ private:
   const char *ofWord(const SyntaxIssue &issue, const RuleContext &ctx) const {
     if (!isOfIf(ctx.text(ctx.range(issue))))
       return "`{0}` is neither a word of address and number nor a statement";
-    return tellsOfIf(ctx) ? "`{0}`: this control has no IF of several blocks: an IF jumps, or has "
-                            "its statement in its own block"
-                          : nullptr;
+    if (!tellsOfIf(ctx))
+      return nullptr;
+    return ctx.dialect().lexical.flowWords
+               ? "`{0}` is alone: the interpreter wants the number of its IF before it, "
+                 "`o1 {0}`"
+               : "`{0}`: this control has no IF of several blocks: an IF jumps, or has its "
+                 "statement in its own block";
   }
 
   /// `END FOR`
@@ -139,6 +145,17 @@ private:
     if (!told)
       told = ctx.block().begin;
     return told == ctx.block().begin;
+  }
+
+  /// `IF [#1 = 2] GOTO 10`
+  static bool assignsInCondition(const SyntaxIssue &issue, const RuleContext &ctx) {
+    const llvm::StringRef text = ctx.text(ctx.range(issue));
+    const size_t sign = text.find('=');
+    return sign != llvm::StringRef::npos && sign < text.find(']') && text.startswith("[") &&
+           ctx.dialect().facts->variables.numbered &&
+           llvm::any_of(ctx.block().items, [](const Item &item) {
+             return item.kind == ItemKind::If || item.kind == ItemKind::While;
+           });
   }
 
   /// `IF [#1] GE [2] GOTO 10`: the issue is all of the condition, and its first bracket ends
@@ -214,15 +231,18 @@ private:
                    ctx.text(range));
   }
 
-  /// `IF [#1 EQ 2] THEN G00 X5.`: words in the place of the statement.
+  /// `IF [#1 EQ 2] THEN G00 X5.`, `IF [#1 EQ 2] M30`: words in the place of the statement.
   static void thenWords(const Item &item, RuleContext &ctx) {
     const Word &first = ctx.block().words.front();
-    if (first.offset < item.end ||
-        !ctx.source().text(item.end, first.offset).contains_insensitive("THEN"))
+    if (first.offset < item.end)
       return;
+    const bool then = ctx.source().text(item.end, first.offset).contains_insensitive("THEN");
     if (auto finding = ctx.report(first))
-      finding.message("`{0}` after THEN: the control takes one statement of a macro there",
-                      ctx.text(first));
+      finding.severity(then ? std::nullopt : std::optional(Severity::Warning))
+          .message(then ? "`{0}` after THEN: the control takes one statement of a macro there"
+                        : "`{0}` after a condition: only GOTO, or THEN and a statement of a "
+                          "macro, may follow it",
+                   ctx.text(first));
   }
 
   /// More brackets in each other than the control follows. Those that a condition needs do not

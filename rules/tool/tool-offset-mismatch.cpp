@@ -77,6 +77,14 @@ public:
     if (auto finding = ctx.report(word)) {
       if (isLengthOfOther(word, int64_t(event.offset().value()), ctx))
         finding.severity(Severity::Warning);
+      if (isOfWaiting(event, ctx)) {
+        finding.severity(Severity::Warning)
+            .message("`{0}` is the offset of T{1}, which still waits for its change: tool {2} is "
+                     "in the spindle",
+                     ctx.text(word), int(state.preselected), tool)
+            .note(state.origin.of(StatePart::Preselected), "the tool is named here");
+        return;
+      }
       finding
           .message("`{0}` is not the offset of tool {1}: it runs with another tool's data",
                    ctx.text(word), tool)
@@ -105,6 +113,13 @@ private:
                    ctx.text(*event.word), int(after.radiusOffset), int(after.tool))
           .note(given, "the number is given here")
           .note(tool, "the tool is changed here");
+  }
+
+  /// The length of a tool that was named and not changed in.
+  static bool isOfWaiting(const Event &event, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    return event.word->address == letterAddress('H') && state.tool > 0 && state.preselected > 0 &&
+           event.offset().value() == state.preselected && !state.may(Fact::UnknownCode);
   }
 
   bool edges_ = false; ///< a tool comes with edges, of which its change takes the first

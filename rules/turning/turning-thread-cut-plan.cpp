@@ -18,9 +18,8 @@ class TurningThreadCutPlan final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    firstCutSeverity_ = to.dialect().facts->turning.refusesDeepFirstCut
-                            ? std::optional(Severity::Error)
-                            : std::nullopt;
+    firstCutSeverity_ =
+        to.dialect().facts->turning.refusesDeepFirstCut ? Severity::Error : Severity::Warning;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -64,7 +63,37 @@ private:
           .note(before.origin.of(StatePart::PendingCycle), "the data block");
   }
 
+  /// Threads of one start are about 0.6 times as deep as their lead; those of several starts are
+  /// less deep, and none is deeper than its lead: a point or a zero was lost. True when that is
+  /// said.
+  static bool unlikeLead(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    constexpr double deepest = 1.3, least = 0.07;
+    const Word *const heightWord = wordOf(ctx.block(), code, Role::Height);
+    const Word *const lead = ctx.block().find(letterAddress('F'));
+    const auto unit = millimetresPer(ctx.dialect(), ctx.before());
+    if (!heightWord || !lead || !(addressesOf(code, Role::Lead) & maskOf(lead->address)) || !unit)
+      return false;
+    const ExecutedBlock executed = executedBlock(ctx);
+    const auto height = CycleParameters(executed, code).length(Measure::Height, Role::Height);
+    const Interval pitch = ctx.value(*lead);
+    if (!height || !height->isConstant() || height->value() <= 0 || !pitch.isConstant() ||
+        pitch.value() <= 0)
+      return false;
+    const double ratio = height->value() / (pitch.value() * *unit);
+    if (ratio < deepest && ratio > least)
+      return false;
+    if (auto finding = ctx.report(*heightWord, event.certain))
+      finding.severity(Severity::Warning)
+          .message("a thread of {0} with the lead `{1}` is {2} than any thread: was a point or a "
+                   "zero lost?",
+                   shortLength(ctx, height->value()), ctx.text(*lead),
+                   ratio > 1 ? "deeper" : "less deep");
+    return true;
+  }
+
   void multi(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    if (unlikeLead(event, code, ctx))
+      return;
     allowance(event, code, ctx);
     const Word *firstWord = wordOf(ctx.block(), code, Role::FirstCut);
     const Word *heightWord = wordOf(ctx.block(), code, Role::Height);
@@ -218,7 +247,7 @@ private:
     });
   }
 
-  std::optional<Severity> firstCutSeverity_;
+  Severity firstCutSeverity_ = Severity::Warning;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 // A thread starts too near in diameter or in run-in length.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/thread_passes.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
@@ -34,6 +35,8 @@ public:
     else if (cycle)
       passes(event, code, *word, ctx);
     runIn(event, code, *word, ctx);
+    if (cycle)
+      runsAway(event, code, *word, ctx);
   }
 
 private:
@@ -96,6 +99,49 @@ private:
       finding.message("`{0}` starts at X{1}, and its passes go from X{2} to X{3}: the tool returns "
                       "through the crest",
                       code.name, shortNumber(from), shortNumber(first), shortNumber(last));
+  }
+
+  /// Before the face and on from there, away from the work: the sign of the end is missing.
+  static void runsAway(const Event &event, const CodeInfo &code, const Word &word,
+                       RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const Interval &start = before.at(Axis::Z);
+    if (!event.certain || !start.isConstant() || start.value() <= 0 ||
+        before.inMachineCoordinates(Axis::Z) || !before.frames.empty() || ctx.callDepth() > 0 ||
+        before.may(Fact::UnknownCode))
+      return;
+    const auto end = endOf(ctx, Axis::Z, start);
+    if (!end || *end <= start.value() || !liesBelowZero(ctx))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` cuts from Z{1} to Z{2}, away from the work, which lies below zero",
+                   code.name, shortNumber(start.value() / unitOf(ctx)),
+                   shortNumber(*end / unitOf(ctx)));
+  }
+
+  static double unitOf(const RuleContext &ctx) {
+    return millimetresPer(ctx.dialect(), ctx.before()).value_or(1);
+  }
+
+  /// The program has cuts below zero, and one work offset.
+  static bool liesBelowZero(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const CodeInfo *offset = nullptr;
+    bool below = false;
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      const CodeInfo *const other = findCode(dialect, block, {Action::WorkOffset});
+      if (other && offset && other != offset)
+        return false;
+      offset = other ? other : offset;
+      if (findCode(dialect, block, {Action::PresetPosition, Action::FrameSet, Action::FrameAdd}))
+        return false;
+      const Word *const z = block.find(letterAddress('Z'));
+      below |=
+          z && z->isNumber() && z->value() < 0 && !findCode(dialect, block, {Action::MachineMove});
+    }
+    return below;
   }
 
   void runIn(const Event &event, const CodeInfo &code, const Word &word, RuleContext &ctx) const {

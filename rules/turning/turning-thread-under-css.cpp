@@ -1,4 +1,5 @@
 // A thread or a hole is cut while constant surface speed is active.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
@@ -19,13 +20,10 @@ public:
     const bool cycle = event.kind == EventKind::CycleRun;
     const bool thread =
         cycle ? cutsThread(code.cycle) || taps(code.cycle) : event.motion == MotionKind::Thread;
-    // On the axis every surface speed asks for the highest speed of all.
-    const bool hole = cycle && makesHole(code.cycle) && ctx.dialect().isLathe() &&
-                      toolAxis(ctx.dialect(), state) == Axis::Z && state.at(Axis::X).isConstant() &&
-                      std::fabs(state.at(Axis::X).value()) < 1e-6;
-    if (!thread && !(cycle && makesHole(code.cycle) && ctx.dialect().isLathe()))
+    if (!thread && !mayDrill(event, code, ctx))
       return sleepInShape();
-    if ((!thread && !hole) || state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
+    if ((!thread && !drills(event, ctx)) ||
+        state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
       return;
     const Truth css =
         state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed});
@@ -34,9 +32,10 @@ public:
                                    !state.isStated(ctx.dialect().group(StandardGroup::SpeedMode)))))
       return;
     const Word *word = ctx.codeWord(event);
-    if (!word) // a further pass or hole of what was reported already
+    if (!word && cycle) // a further pass or hole of what was reported already
       return;
-    if (auto finding = ctx.report(*word, event.certain && css == Truth::Yes)) {
+    if (auto finding = ctx.report(word ? ctx.range(*word) : ctx.blockRange(),
+                                  event.certain && css == Truth::Yes)) {
       if (thread)
         finding.message(
             "`{0}` cuts a thread under constant surface speed: the spindle changes its speed "
@@ -54,6 +53,45 @@ public:
   }
 
 private:
+  /// A hole along the spindle's axis by a cycle of drilling or of grooves in a face, or a feed move
+  /// into the work.
+  static bool mayDrill(const Event &event, const CodeInfo &code, const RuleContext &ctx) {
+    if (!ctx.dialect().isLathe())
+      return false;
+    if (event.kind == EventKind::CycleRun)
+      return makesHole(code.cycle) || code.cycle == CycleKind::GrooveFace;
+    return event.motion == MotionKind::Feed && event.axes == 1u << unsigned(Axis::Z);
+  }
+
+  /// On the axis every surface speed asks for the highest speed of all.
+  static bool drills(const Event &event, const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    const Interval &x = state.at(Axis::X);
+    if (toolAxis(dialect, state) != Axis::Z || !x.isConstant() || std::fabs(x.value()) >= 1e-6 ||
+        state.inMachineCoordinates(Axis::X))
+      return false;
+    return event.kind == EventKind::CycleRun || isDrilledByMove(event, ctx);
+  }
+
+  /// Fed in along Z on the axis, and out again the same way: a tool for turning goes aside.
+  static bool isDrilledByMove(const Event &event, const RuleContext &ctx) {
+    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
+    if (!event.certain || !from.isConstant() || !to.isConstant() || to.value() >= from.value() ||
+        ctx.after().profile != ProfileMode::Off || ctx.after().may(Fact::UnknownCode))
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    if (!ahead.next(next) || axesOf(ctx.dialect(), next) != 1u << unsigned(Axis::Z) ||
+        !findCode(ctx.dialect(), next, {Action::Rapid}))
+      return false;
+    if (const Word *w = next.find(letterAddress('W')))
+      return w->isNumber() && w->value() > 0;
+    const Word *const z = next.find(letterAddress('Z'));
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    return z && z->isNumber() && unit && z->value() * *unit >= from.value();
+  }
+
   /// Of two motion codes in the block the one that cuts a thread.
   static const CodeInfo &cutter(const RuleContext &ctx, const Event &event, bool stroke) {
     for (const CodeUse &use : ctx.codes())
@@ -72,7 +110,8 @@ private:
         before.speed->value() <= 0 || before.inMachineCoordinates(Axis::X))
       return;
     const double speed = std::floor(before.speed->value() * 1000 / (pi * x.value()));
-    if (speed < 1)
+    constexpr double fastest = 12'000; // 1/min; a greater one comes of a wrong S
+    if (speed < 1 || speed > fastest)
       return;
     const std::string block = formatted("G97 S{0}", int64_t(speed));
     finding.fix(FixSafety::Unsafe, "insert " + block + " before this block",

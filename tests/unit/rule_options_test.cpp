@@ -78,7 +78,7 @@ TEST(OptionsOfTables, WhatThereIsNotIsToldWithItsFileLineAndKey) {
             problemOfTable("{ \"rules\": {\n \"feed-implausable\": { \"enabled\": false } } }"));
   EXPECT_EQ("own.json:3: rules.feed-implausible.perMinute: unknown option \"perMinute\" of rule "
             "\"feed-implausible\"; one of perMinuteBelow, perMinuteAbove, perRevolutionBelow, "
-            "perRevolutionAbove, statedMode",
+            "perRevolutionAbove, roughingAbove, statedMode",
             problemOfTable("{ \"rules\": {\n \"feed-implausible\": {\n \"perMinute\": 1 } } }"));
   EXPECT_EQ("own.json:2: controls.840D.rules.arc-helix-axis.slack: rule \"arc-helix-axis\" has no "
             "options",

@@ -11,13 +11,14 @@ bool IsoScanner::takeKeyword(llvm::StringRef word) {
 }
 
 /// The first two letters of a statement's word stand for it, where what comes next is no letter:
-/// `WH[#1LT5]DO1`, `GO10`, `EN1` (0i and later).
+/// `WH [#1LT5] DO1`, `GO10`, `EN1` (0i and later; of other controls WH alone, which is no word).
 bool IsoScanner::takeShort(llvm::StringRef word) {
   constexpr size_t letters = 2;
-  if (lexical_.arithmetic != Arithmetic::MacroB30 || word.size() <= letters ||
-      !isKeyword(word.take_front(letters)))
+  const bool all = lexical_.arithmetic == Arithmetic::MacroB30;
+  if ((!all && (word != "WHILE" || lexical_.arithmetic == Arithmetic::Ngc)) ||
+      word.size() <= letters || !isKeyword(word.take_front(letters)))
     return false;
-  const char *const next = at_ + letters;
+  const char *const next = word == "WHILE" ? afterBlanks(at_ + letters) : at_ + letters;
   if (next >= end_ || (*next != '[' && *next != '#' && !isNumberDigit(*next)))
     return false;
   at_ = next;

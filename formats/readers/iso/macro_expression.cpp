@@ -6,6 +6,8 @@
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringExtras.h"
 
+#include <utility>
+
 namespace ncvet {
 
 namespace {
@@ -130,6 +132,7 @@ uint16_t MacroExpression::parse(Form form, Arithmetic arithmetic) {
   Expression result = open();
   const char *const begin = at_;
   bool good = false;
+  ambiguous_ = false;
   switch (form) {
   case Form::Full:
     good = ngc_ ? operand(0) : group(0); // (there only brackets hold operators)
@@ -157,13 +160,23 @@ uint16_t MacroExpression::parse(Form form, Arithmetic arithmetic) {
     }
     break;
   }
-  if (!good)
+  if (!good) {
     fail(result, afterBad(begin));
+  } else if (ambiguous_) {
+    issue(SyntaxIssueKind::AmbiguousExpression, begin, at_);
+    result.bad = true;
+  }
   return close(result);
 }
 
 bool MacroExpression::group(unsigned depth) {
-  return level(depth, ngc_ ? ngcLogic : comparisonStrength);
+  if (ngc_)
+    return level(depth, ngcLogic);
+  const Used outside = std::exchange(used_, Used());
+  const bool good = level(depth, comparisonStrength);
+  ambiguous_ |= names_ && used_.logic && used_.comparisons > 1;
+  used_ = outside;
+  return good;
 }
 
 /// What an operator of RS274/NGC makes of its two operands.
@@ -206,6 +219,8 @@ bool MacroExpression::level(unsigned depth, unsigned strength) {
       emitTruth(at);
     if (!(strongest ? operand(depth) : level(depth, binary.strength + 1)))
       return false;
+    used_.comparisons += binary.strength == comparisonStrength;
+    used_.logic |= binary.op == Op::And || binary.op == Op::Or || binary.op == Op::Xor;
     if (ngc_)
       emitNgc(binary.op, at);
     else

@@ -42,9 +42,16 @@ private:
   bool number();
   bool function(unsigned depth);
 
-  bool names_ = false;    ///< variables have names, and POW, AX, AXNUM and PRM are known
-  bool ngc_ = false;      ///< the expressions are those of RS274/NGC
-  bool decimals_ = false; ///< the number of a variable may have decimals
+  /// Operators between one pair of brackets.
+  struct Used {
+    unsigned comparisons = 0;
+    bool logic = false;
+  };
+  Used used_;              ///< between the brackets that are read
+  bool ambiguous_ = false; ///< AND or OR between comparisons without brackets of their own
+  bool names_ = false;     ///< variables have names, and POW, AX, AXNUM and PRM are known
+  bool ngc_ = false;       ///< the expressions are those of RS274/NGC
+  bool decimals_ = false;  ///< the number of a variable may have decimals
 };
 
 } // namespace ncvet
