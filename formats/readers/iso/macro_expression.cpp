@@ -2,6 +2,7 @@
 #include "formats/readers/iso/macro_expression.h"
 
 #include "formats/dialect/variable_key.h"
+#include "formats/readers/block_scanner.h"
 
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringExtras.h"
