@@ -21,6 +21,9 @@ class ArcDoublesBack final : public StatefulRule<ArcDoublesBackMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
+    for (size_t i = 0; i < to.dialect().addresses.size(); ++i)
+      if (to.dialect().addresses[i].kind == AddressKind::Axis)
+        wordsOf_[unsigned(to.dialect().addresses[i].axis)] |= maskOf(AddressId(i));
     cosine_ = unitVector(radiansOf(to.number("turn", 150))).x();
   }
 
@@ -68,18 +71,15 @@ public:
   }
 
 private:
-  static AddressMask planeWords(const RuleContext &ctx) {
+  AddressMask planeWords(const RuleContext &ctx) const {
     AddressMask words = 0;
     for (const Axis axis : ctx.arcWords().axes)
-      for (size_t i = 0; i < ctx.dialect().addresses.size(); ++i)
-        if (ctx.dialect().addresses[i].kind == AddressKind::Axis &&
-            ctx.dialect().addresses[i].axis == axis)
-          words |= maskOf(AddressId(i));
+      words |= wordsOf_[unsigned(axis)];
     return words;
   }
 
   /// A full circle between others about the same centre that all go round the other way.
-  static void amongCircles(const Event &event, RuleContext &ctx) {
+  void amongCircles(const Event &event, RuleContext &ctx) const {
     const bool clockwise = event.motion == MotionKind::ArcCw;
     Block block;
     if (ctx.before().may(Fact::UnknownCode) || !readPrevious(ctx, block) ||
@@ -98,7 +98,7 @@ private:
   }
 
   /// The direction of a full circle with the same centre words as the current one: true clockwise.
-  static std::optional<bool> circleLike(const Block &block, const RuleContext &ctx) {
+  std::optional<bool> circleLike(const Block &block, const RuleContext &ctx) const {
     const CodeInfo *const code = findCode(ctx.dialect(), block, {Action::ArcCw, Action::ArcCcw});
     if (!code || !block.items.empty() || block.skip >= 0 || block.hasAny(planeWords(ctx)))
       return std::nullopt;
@@ -128,7 +128,10 @@ private:
     const auto turned = [&](const Vector &way) { return Vector(2 * way.dot(chord) * chord - way); };
     const Vector begin = arc->direction(arc->from), end = arc->direction(arc->to);
     const bool joins = begin.dot(*before) > smooth;
-    if ((!joins && turned(begin).dot(*before) < smooth) || begin.dot(turned(begin)) > corner)
+    if (joins ? memory().joins // nothing new
+              : turned(begin).dot(*before) < smooth || memory().turned.size() > 1)
+      return;
+    if (begin.dot(turned(begin)) > corner)
       return;
     PathAhead ahead(ctx);
     const auto next = ahead.next() ? contourElementOf(ahead.executed()) : std::nullopt;
@@ -240,6 +243,7 @@ private:
   }
 
   double cosine_ = 0; ///< of the turn from which on the path doubles back
+  std::array<AddressMask, axisCount + 1> wordsOf_{}; ///< the words of each axis
 };
 
 } // namespace

@@ -64,6 +64,8 @@ private:
           !findCode(dialect, block, {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle}))
         continue;
       ++(feeds ? own : lacking);
+      if (lacking > 1)
+        return false;
       waits = false;
     }
     return own >= habit && lacking == 1;
