@@ -43,7 +43,7 @@ public:
         words.angle || words.hasCentre() == (words.radius != nullptr))
       return sleepInShape();
     if (words.radius)
-      return byRadius(ctx);
+      return byRadius(event, ctx);
     if (!ctx.block().hasAny(planeWords(ctx)))
       return amongCircles(event, ctx);
     if (!isHalfATurnOrMore(event, ctx) || ctx.before().may(Fact::UnknownCode) ||
@@ -115,17 +115,20 @@ private:
 
   /// An arc by its radius after a line: whether it joins its neighbours smoothly, or would do so
   /// when it were turned the other way round.
-  void byRadius(RuleContext &ctx) const {
-    constexpr double smooth = 0.9996, corner = 0.94; // cosines of 1.6 and 20 degrees
+  void byRadius(const Event &event, RuleContext &ctx) const {
     if (ctx.before().may(Fact::UnknownCode) ||
-        ctx.before().activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Linear)
+        ctx.before().activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Linear ||
+        (ctx.dialect().group(StandardGroup::Distance) != noGroup &&
+         !readsAbsolute(ctx.dialect(), ctx.before())))
+      return sleepInShape();
+    if (!mayJoinAhead(event, ctx))
       return;
     const auto arc = contourElementOf(executedBlock(ctx));
     const auto before = arc && arc->arc ? directionBefore(ctx) : std::nullopt;
     if (!before)
       return;
     const Vector chord = (arc->to - arc->from).normalized();
-    const auto turned = [&](const Vector &way) { return Vector(2 * way.dot(chord) * chord - way); };
+    const auto turned = [&](const Vector &way) { return turnedAbout(chord, way); };
     const Vector begin = arc->direction(arc->from), end = arc->direction(arc->to);
     const bool joins = begin.dot(*before) > smooth;
     if (joins ? memory().joins // nothing new
@@ -142,6 +145,34 @@ private:
       memory().joins |= end.dot(after) > smooth;
     else if (turned(end).dot(after) > smooth && memory().turned.size() < 2)
       memory().turned[{ctx.source().id(), ctx.block().begin}] = ctx.blockRange();
+  }
+
+  /// The way where an arc over that chord, a vector of length one, is turned the other way round.
+  static Vector turnedAbout(const Vector &chord, const Vector &way) {
+    return 2 * way.dot(chord) * chord - way;
+  }
+
+  /// False: by the text of the next block it goes on neither as the arc ends nor as it would when
+  /// it were turned the other way round, or not in the one of both of which there is something to
+  /// learn.
+  bool mayJoinAhead(const Event &event, const RuleContext &ctx) const {
+    constexpr double nearly = smooth - 1e-6;
+    const ArcGeometry &arc = ctx.arc();
+    const bool clockwise = event.motion == MotionKind::ArcCw;
+    const bool isKnown = ctx.outcome().known && arc.start && arc.end && arc.radius;
+    const auto centre =
+        isKnown ? centreByRadius(*arc.start, *arc.end, *arc.radius, clockwise) : std::nullopt;
+    const auto next = centre ? directionAhead(ctx) : std::nullopt;
+    if (!next)
+      return true;
+    const Vector end = leftOf(*arc.end - *centre).normalized() * (clockwise ? -1 : 1);
+    const Vector chord = (*arc.end - *arc.start).normalized();
+    if ((!memory().joins && end.dot(*next) > nearly) ||
+        (memory().turned.size() <= 1 && turnedAbout(chord, end).dot(*next) > nearly))
+      return true;
+    const Block &block = *ctx.nextAlike();
+    ctx.index().noteRead(block.begin, block.next);
+    return false;
   }
 
   /// Whether the arc makes more than half a turn, as one of less does when it is turned the other
@@ -172,26 +203,47 @@ private:
   /// text is read, which costs far less than executing it. False also where the text does not say
   /// it.
   bool goesOnAhead(const Vector &end, const RuleContext &ctx) const {
-    const Dialect &dialect = ctx.dialect();
-    const MachineState &state = ctx.after();
-    const Block *const next = ctx.nextAlike();
-    const auto unit = millimetresPer(dialect, state);
-    const std::array<Axis, 2> axes = ctx.arcWords().axes;
-    const Interval &x = state.at(axes[0]), &y = state.at(axes[1]);
-    if (!next || !unit || dialect.isLathe() || !state.frames.empty() || next->skip >= 0 ||
-        (dialect.group(StandardGroup::Diameter) != noGroup && axes[0] == Axis::Z) ||
-        state.isActive(dialect, StandardGroup::Distance, {Action::Absolute}) != Truth::Yes ||
-        !x.isConstant() || !y.isConstant())
-      return false;
-    const auto direction = beginOf(*next, {x.value(), y.value()}, *unit, ctx);
+    const auto direction = directionAhead(ctx);
     if (!direction || end.dot(*direction) <= cosine_)
       return false;
-    ctx.index().noteRead(next->begin, next->next);
+    const Block &next = *ctx.nextAlike();
+    ctx.index().noteRead(next.begin, next.next);
     return true;
   }
 
-  /// Direction in which a move begins by the words of its block, which names its code.
-  static std::optional<Vector> beginOf(const Block &block, const Point &from, double unit,
+  /// Direction in which the next block begins, where its text tells it.
+  static std::optional<Vector> directionAhead(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    const std::array<Axis, 2> axes = ctx.arcWords().axes;
+    const Interval &x = state.at(axes[0]), &y = state.at(axes[1]);
+    if (!x.isConstant() || !y.isConstant() || !state.frames.empty() ||
+        (dialect.isLathe() && !ctx.outcome().known) ||
+        (dialect.group(StandardGroup::Diameter) != noGroup && axes[0] == Axis::Z) ||
+        !readsAbsolute(dialect, state))
+      return std::nullopt;
+    const Block *const next = ctx.nextAlike();
+    const auto unit = next && next->skip < 0 ? millimetresPer(dialect, state) : std::nullopt;
+    if (!unit)
+      return std::nullopt;
+    const std::array<double, 2> lengths{*unit / dialect.lengthsPerUnit(axes[0]),
+                                        *unit / dialect.lengthsPerUnit(axes[1])};
+    const Point from(x.value() / dialect.lengthsPerUnit(axes[0]),
+                     y.value() / dialect.lengthsPerUnit(axes[1]));
+    return beginOf(*next, from, lengths, *unit, ctx);
+  }
+
+  /// Whether words of axes are coordinates.
+  static bool readsAbsolute(const Dialect &dialect, const MachineState &state) {
+    return dialect.group(StandardGroup::Distance) == noGroup
+               ? dialect.isLathe()
+               : state.isActive(dialect, StandardGroup::Distance, {Action::Absolute}) == Truth::Yes;
+  }
+
+  /// Direction in which a move begins by the words of its block, which names its code. `lengths`:
+  /// of each axis, millimetres per unit. On a lathe of lines alone.
+  static std::optional<Vector> beginOf(const Block &block, const Point &from,
+                                       const std::array<double, 2> &lengths, double unit,
                                        const RuleContext &ctx) {
     constexpr double shortest = 1e-3; // mm
     const ArcWords &here = ctx.arcWords();
@@ -217,7 +269,7 @@ private:
       for (unsigned i = 0; i < 2 && !isKnown; ++i) {
         isKnown = address.kind == AddressKind::Axis && address.axis == here.axes[i];
         if (isKnown)
-          to[i] = number;
+          to[i] = word.value() * lengths[i];
         else if ((isKnown = word.address == here.centreAddress[i]))
           centre[i] += number, hasCentre = true;
       }
@@ -228,7 +280,8 @@ private:
       return radius || hasCentre || distance(from, to) < shortest
                  ? std::nullopt
                  : std::optional<Vector>((to - from).normalized());
-    if (!isArc(action) || hasCentre == radius.has_value() || ctx.arc().centreAbsolute)
+    if (!isArc(action) || hasCentre == radius.has_value() || ctx.arc().centreAbsolute ||
+        ctx.dialect().isLathe())
       return std::nullopt;
     const bool clockwise = action == Action::ArcCw;
     if (radius) {
@@ -242,6 +295,7 @@ private:
     return Vector(leftOf(from - centre).normalized() * (clockwise ? -1 : 1));
   }
 
+  static constexpr double smooth = 0.9996, corner = 0.94; ///< cosines of 1.6 and 20 degrees
   double cosine_ = 0; ///< of the turn from which on the path doubles back
   std::array<AddressMask, axisCount + 1> wordsOf_{}; ///< the words of each axis
 };

@@ -28,6 +28,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
+      if (!asksNumbers(ctx.code(event), id))
+        sleepInShape();
       return;
     }
     if (!senses_ && !isLine(ctx, event))

@@ -30,8 +30,6 @@ public:
     if (carried && (!cuts(event) || ctx.block().has(letterAddress('F')) ||
                     !ctx.after().must(Fact::FeedCarried)))
       return sleepInShape();
-    if (carried && !isCarried(ctx))
-      return;
     const Interval value = carried ? state.feed.get() : event.feed();
     if (!value.isConstant() || value.value() <= 0 || state.may(Fact::FeedIsLead) || isLead(ctx))
       return sleepInShape();
@@ -46,8 +44,11 @@ public:
     if (!mode)
       return carried ? sleepInShape() : unlikeBefore(event, ctx);
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
-    const bool unitsSaid = state.originOf(ctx.dialect(), StandardGroup::Units).known();
-    if (inch == Truth::Unknown && unitsSaid)
+    // Where something was set is looked at by those alone whom it may concern.
+    const auto unitsSaid = [&] {
+      return state.originOf(ctx.dialect(), StandardGroup::Units).known();
+    };
+    if (inch == Truth::Unknown && unitsSaid())
       return;
     const double feed = value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
     const bool tooSlow = mode->action == Action::FeedPerMinute && feed < perMinuteBelow_;
@@ -55,13 +56,15 @@ public:
     const bool perTurn = mode->action == Action::FeedPerRevolution ||
                          (mode->action == Action::SurfaceSpeed && !carried);
     const bool tooFast = perTurn && feed > perRevolutionAbove_;
-    if (mode->action == Action::FeedPerRevolution && !carried &&
-        feed * (unitsSaid ? 1 : millimetresPerInch) < perRevolutionBelow_)
+    if (mode->action == Action::FeedPerRevolution && !carried && feed < perRevolutionBelow_ &&
+        feed * (unitsSaid() ? 1 : millimetresPerInch) < perRevolutionBelow_)
       return tooLittle(event, ctx);
     if (perTurn && !tooFast && !carried && feed > roughingAbove_ && isOfContour(ctx))
       return tooMuchForContour(event, ctx);
     if (!tooSlow && !tooFast)
       return sleepInShape();
+    if (carried && !isCarried(ctx))
+      return;
     if (statedMode_ && !state.originOf(ctx.dialect(), StandardGroup::FeedMode).known())
       return; // data of the machine say which mode it begins with
     if (carried &&

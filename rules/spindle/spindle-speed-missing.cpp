@@ -111,9 +111,10 @@ private:
 
   /// A cycle that cuts with the spindle as it runs.
   void atCycle(const Event &event, RuleContext &ctx) const {
-    if (event.code == noCode || ctx.code(event).spindle != SpindleNeed::Running)
+    if (event.code == noCode || ctx.code(event).spindle != SpindleNeed::Running ||
+        ctx.before().may(Fact::CutSinceTool))
       return sleepInShape();
-    if (!ctx.before().may(Fact::CutSinceTool) && othersHaveSpeeds(ctx))
+    if (mayBeOfToolBefore(ctx) && othersHaveSpeeds(ctx))
       ofToolBefore(event, ctx);
   }
 
@@ -136,6 +137,12 @@ private:
     return false;
   }
 
+  /// Whether the tool before has cut with the S in force.
+  bool mayBeOfToolBefore(const RuleContext &ctx) const {
+    return memory().cutWith.offset &&
+           memory().cutWith == placeOf(ctx.after().origin.of(StatePart::Speed));
+  }
+
   /// The first cut with a tool that has no S of its own, after one that has cut with this S.
   void ofToolBefore(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
@@ -144,7 +151,7 @@ private:
       return; // that it does not turn is another rule's matter
     if (!event.certain || event.code == noCode || ctx.before().may(Fact::CutSinceTool) ||
         !state.must(Fact::SpeedSet) || state.may(Fact::UnknownCode) || !tool.known() ||
-        memory().cutWith != placeOf(state.origin.of(StatePart::Speed)) || !memory().cutWith.offset)
+        !mayBeOfToolBefore(ctx))
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)

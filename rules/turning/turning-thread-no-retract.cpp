@@ -9,7 +9,11 @@ namespace {
 
 constexpr uint16_t xBit = 1u << unsigned(Axis::X), zBit = 1u << unsigned(Axis::Z);
 
-class TurningThreadNoRetract final : public Rule {
+struct TurningThreadNoRetractMemory {
+  bool hasThreads = false; ///< a stroke of a thread was cut
+};
+
+class TurningThreadNoRetract final : public StatefulRule<TurningThreadNoRetractMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
@@ -23,8 +27,12 @@ public:
     // `G00` in a block of its own is between the stroke and the move back.
     const bool back = event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
                       !event.inMachineCoordinates();
-    if (!(threads || back))
+    if (event.motion == MotionKind::Thread)
+      memory().hasThreads = true;
+    else if (!(threads || back))
       return sleepInShape();
+    if (!(threads || (back && memory().hasThreads)))
+      return;
     Block stroke;
     if (!readStroke(ctx, stroke) || !(threads || isThread(ctx, stroke)))
       return;

@@ -22,12 +22,15 @@ public:
         cycle ? cutsThread(code.cycle) || taps(code.cycle) : event.motion == MotionKind::Thread;
     if (!thread && !mayDrill(event, code, ctx))
       return sleepInShape();
-    if ((!thread && !drills(event, ctx)) ||
-        state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
+    if (!thread && !isOnAxis(state))
+      return;
+    if (state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
       return;
     const Truth css =
         state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed});
-    if (css == Truth::No ||
+    if (css == Truth::No)
+      return;
+    if ((!thread && !drills(event, ctx)) ||
         (css == Truth::Unknown && (state.may(Fact::UnknownCode) ||
                                    !state.isStated(ctx.dialect().group(StandardGroup::SpeedMode)))))
       return;
@@ -64,12 +67,13 @@ private:
   }
 
   /// On the axis every surface speed asks for the highest speed of all.
-  static bool drills(const Event &event, const RuleContext &ctx) {
-    const Dialect &dialect = ctx.dialect();
-    const MachineState &state = ctx.after();
+  static bool isOnAxis(const MachineState &state) {
     const Interval &x = state.at(Axis::X);
-    if (toolAxis(dialect, state) != Axis::Z || !x.isConstant() || std::fabs(x.value()) >= 1e-6 ||
-        state.inMachineCoordinates(Axis::X))
+    return x.isConstant() && std::fabs(x.value()) < 1e-6;
+  }
+  static bool drills(const Event &event, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (toolAxis(ctx.dialect(), state) != Axis::Z || state.inMachineCoordinates(Axis::X))
       return false;
     return event.kind == EventKind::CycleRun || isDrilledByMove(event, ctx);
   }
