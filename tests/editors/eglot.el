@@ -8,6 +8,7 @@
 
 ;;; Code:
 
+(setq gc-cons-threshold most-positive-fixnum)
 (require 'package)
 (package-initialize)
 (require 'eglot)
@@ -76,7 +77,7 @@
 
 (defun checked (program)
   "What the command line says of the buffer's text, which is written for it."
-  (let ((file buffer-file-name) (list nil) (json-object-type 'plist))
+  (let ((file buffer-file-name) (list nil))
     (write-region nil nil file nil 'quiet)
     (set-visited-file-modtime)
     (with-temp-buffer
@@ -88,7 +89,7 @@
                   (push (format "%d:%d %s %s" (plist-get one :line) (plist-get one :column)
                                 (plist-get one :severity) (plist-get one :rule))
                         list)))
-              (plist-get (json-read) :findings)))
+              (plist-get (json-parse-buffer :object-type 'plist) :findings)))
     (sort list #'string<)))
 
 (defun compare (program when)

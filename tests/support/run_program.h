@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,35 +95,54 @@ private:
   std::filesystem::path path_;
 };
 
+/// A control with its machine's profile; without a dialect where one of them does not load.
+struct ProfiledMachine {
+  std::shared_ptr<const Dialect> dialect;
+  MachineProfile profile;
+};
+
+/// The built-in dialect with a profile's text laid over it (empty: none), made once for the whole
+/// test binary; fails the test when it does not load.
+inline const ProfiledMachine &machineOf(const std::string &dialectId, const std::string &machine) {
+  static std::map<std::pair<std::string, std::string>, ProfiledMachine> made;
+  const auto [entry, isNew] = made.try_emplace({dialectId, machine});
+  ProfiledMachine &profiled = entry->second;
+  if (isNew || !profiled.dialect) {
+    profiled.dialect = dialectNamed(dialectId);
+    if (!profiled.dialect || machine.empty())
+      return profiled;
+    auto parsed = parseMachineProfile("machine.json", machine);
+    auto overlaid = overlay(profiled.dialect, "machine.json", machine);
+    profiled.dialect = nullptr;
+    if (!parsed || !overlaid) {
+      ADD_FAILURE() << "machine profile: " << (parsed ? "" : llvm::toString(parsed.takeError()))
+                    << (overlaid ? "" : llvm::toString(overlaid.takeError()));
+      return profiled;
+    }
+    profiled.profile = *parsed;
+    profiled.dialect = *overlaid;
+  }
+  return profiled;
+}
+
 /// Does `what` with the first file; what it calls is looked for in the others. `machine` is the
 /// text of a machine profile, or empty.
 inline void withProgram(const std::string &dialectId, const std::vector<ProgramFile> &files,
                         const std::string &machine,
                         llvm::function_ref<void(Project &, FileUnit &)> what) {
-  std::shared_ptr<const Dialect> dialect = dialectNamed(dialectId);
+  const auto [dialect, profile] = machineOf(dialectId, machine);
   if (!dialect)
     return;
-  MachineProfile profile;
-  if (!machine.empty()) {
-    auto parsed = parseMachineProfile("machine.json", machine);
-    auto overlaid = overlay(dialect, "machine.json", machine);
-    if (!parsed || !overlaid) {
-      ADD_FAILURE() << "machine profile: " << (parsed ? "" : llvm::toString(parsed.takeError()))
-                    << (overlaid ? "" : llvm::toString(overlaid.takeError()));
-      return;
-    }
-    profile = *parsed;
-    dialect = *overlaid;
-  }
   SourceSet sources;
-  TemporaryFolder folder;
+  std::optional<TemporaryFolder> folder;
   const SourceFile *main = nullptr;
   if (files.size() == 1) {
     main = &sources.add(files[0].name, files[0].text);
   } else {
+    folder.emplace();
     for (const ProgramFile &file : files)
-      std::ofstream(folder.path() / file.name, std::ios::binary) << file.text;
-    auto opened = sources.open((folder.path() / files[0].name).string(), files[0].name);
+      std::ofstream(folder->path() / file.name, std::ios::binary) << file.text;
+    auto opened = sources.open((folder->path() / files[0].name).string(), files[0].name);
     if (!opened) {
       ADD_FAILURE() << llvm::toString(opened.takeError());
       return;
