@@ -44,7 +44,7 @@ bool ContourTrail::goesOn(const RuleContext &ctx) const {
 
 double ContourTrail::centreLeft(const RuleContext &ctx) const {
   const auto radius = compensationRadius(dialect_, ctx.machine(), ctx.after());
-  return radius.value_or(0) * compensatedSide(dialect_, ctx.after());
+  return radius && *radius != 0 ? *radius * compensatedSide(dialect_, ctx.after()) : 0;
 }
 
 void ContourTrail::begin(const RuleContext &ctx) {

@@ -58,7 +58,8 @@ Sum withState(Sum sum, const StateUse &use, const MachineState &state) {
     addParts(sum, use, state);
   sum.add(uint64_t(state.compensation) | uint64_t(state.profile) << 8 |
           uint64_t(state.seeksBranch) << 16 | uint64_t(state.frames.empty()) << 17 |
-          uint64_t(bool(state.modalCalls)) << 18 | uint64_t(state.pendingCycle) << 32);
+          uint64_t(bool(state.modalCalls)) << 18 | uint64_t(state.idleBlocks != 0) << 19 |
+          uint64_t(state.pendingCycle) << 32);
   sum.add(uint64_t(state.machineAxes) << 32 | llvm::bit_cast<uint32_t>(state.transforms));
   sum.add(state.cycle.present);
   if (use.ages)

@@ -19,8 +19,8 @@ uint64_t shapeAt(uint64_t place, const CallSite *caller, const Block &block,
                  const Outcome &outcome);
 
 /// A number for those parts of the states before and after a block that `use` names, and for the
-/// modes that every rule may look at without notice: compensation, profiles, transformations,
-/// cycles, modal calls.
+/// modes that every rule may look at without notice: compensation and whether blocks without a move
+/// in its plane came last, profiles, transformations, cycles, modal calls.
 uint64_t modesOf(const StateUse &use, const MachineState &before, const MachineState &after);
 
 bool isSame(const StateUse &a, const StateUse &b);

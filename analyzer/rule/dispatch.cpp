@@ -163,13 +163,10 @@ const Dispatcher::KnownModes *Dispatcher::toldAgain(const Outcome &outcome) cons
 
 void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {
   stateUse |= modes.asleepUse;
-  bool isAsked = !context_.block().comments.empty(), inRow = false;
-  for (const Awake &one : modes.awake) {
-    if (one.sleepsInRow && !std::exchange(isAsked, true))
-      inRow = isFollowedByPlace(context_);
-    if (!one.sleepsInRow || !inRow)
-      tellOne(outcome.events[one.event], one.listener);
-  }
+  const bool hasRows = modes.inRow.size() != modes.awake.size();
+  const bool inRow = hasRows && context_.block().comments.empty() && isFollowedByPlace(context_);
+  for (const Awake &one : inRow ? modes.inRow : modes.awake)
+    tellOne(outcome.events[one.event], one.listener);
 }
 
 /// Tells those that have not said that blocks of this shape do not interest them; false: that is
@@ -223,6 +220,7 @@ void Dispatcher::findOut(KnownShape &shape, const Outcome &outcome) {
   KnownModes &modes = shape.modes[shape.next];
   shape.next = (shape.next + 1) % unsigned(shape.modes.size());
   modes.awake.clear();
+  modes.inRow.clear();
   modes.asleepUse = {};
   finding_ = &modes;
   tellAll(outcome);
@@ -264,7 +262,9 @@ void Dispatcher::tell(const Outcome &outcome, uint32_t event, llvm::ArrayRef<Lis
     if (sleeps != RuleSleep::No)
       finding_->asleepUse |= stateUse;
     if (sleeps != RuleSleep::InShape)
-      finding_->awake.push_back({event, listener, sleeps == RuleSleep::InRow});
+      finding_->awake.push_back({event, listener});
+    if (sleeps == RuleSleep::No)
+      finding_->inRow.push_back({event, listener});
     stateUse |= used;
   }
 }
@@ -324,7 +324,7 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
   ruleSleep = RuleSleep::No;
   const size_t known = atStill_.size();
   for (size_t i = 0; i < awake_.size();) {
-    const auto &[event, listener, inRow] = awake_[i];
+    const auto &[event, listener] = awake_[i];
     context_.rule_ = listener.id;
     context_.startNotes();
     const StateUse used = std::exchange(stateUse, StateUse());

@@ -88,13 +88,13 @@ private:
   struct Awake {
     uint32_t event;
     Listener listener;
-    bool sleepsInRow = false; ///< it is told of the last block of a row alone
   };
   /// What was found out of blocks of one shape in some modes.
   struct KnownModes {
     uint64_t modes = 0; ///< see `modesOf`, or `Outcome::known`; 0: nothing is known
     std::vector<Awake> awake;
-    StateUse asleepUse; ///< what the others looked at
+    std::vector<Awake> inRow; ///< those of them that are told of every block of a row
+    StateUse asleepUse;       ///< what the others looked at
   };
   struct KnownShape {
     uint64_t shape = 0; ///< see `shapeOf`; 0: none

@@ -35,6 +35,7 @@ protected:
   /// Takes items for its own as if their blocks had been executed; false when the rule would have
   /// had something to say.
   virtual bool takeOver(llvm::ArrayRef<Item> items) const = 0;
+  bool isGathering() const { return part_.has_value(); }
   /// Of the block that is being executed.
   void note(const Item &item) const {
     if (part_)

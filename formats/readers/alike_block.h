@@ -1,8 +1,8 @@
 // Reads a block that is spelled as the one before it, save for its numbers.
 #pragma once
 
-#include "formats/readers/block_layout.h"
 #include "formats/readers/block_scanner.h"
+#include "formats/readers/block_widths.h"
 
 #include <array>
 
@@ -161,7 +161,7 @@ private:
 template <bool (*Blank)(char), AlikeGrammar grammar, typename Find>
 bool readAlike(llvm::StringRef text, uint32_t offset, AddressMask free, Block &block,
                Find comment) {
-  if (readSameLayout(text, offset, free, block))
+  if (readSameLayout(text, offset, free, block) || readOtherWidths(text, offset, free, block))
     return true;
   AlikeCursor<Blank, grammar> cursor(text, offset);
   block.plain = 0;

@@ -99,11 +99,17 @@ inline bool readSameLayout(llvm::StringRef text, uint32_t offset, AddressMask fr
   const bool hasNumber = block.number >= 0;
   if (hasNumber && block.numberEnd - block.numberBegin > 1 + mostDigits)
     return false;
-  for (Word &word : block.words) {
-    const char *const at = text.begin() + word.offset;
-    if (free & maskOf(word.address) ? !readDigits(at + by, word)
-                                    : !haveSameWord(at, at + by, word.length))
-      return false;
+  Word *const first = block.words.begin(), *const end = block.words.end();
+  for (Word *word = first; word != end; ++word) {
+    const char *const at = text.begin() + word->offset;
+    word->offset += uint32_t(by);
+    if (free & maskOf(word->address) ? readDigits(at + by, *word)
+                                     : haveSameWord(at, at + by, word->length))
+      continue;
+    do // the pattern is in the text where it was
+      word->offset -= uint32_t(by);
+    while (word-- != first);
+    return false;
   }
   if (hasNumber) {
     block.numberBegin += uint32_t(by);
@@ -111,8 +117,6 @@ inline bool readSameLayout(llvm::StringRef text, uint32_t offset, AddressMask fr
     block.number =
         digitsAt(text.begin() + block.numberBegin + 1, block.numberEnd - block.numberBegin - 1);
   }
-  for (Word &word : block.words)
-    word.offset += uint32_t(by);
   for (Comment &comment : block.comments) {
     comment.begin += uint32_t(by);
     comment.end += uint32_t(by);

@@ -13,7 +13,8 @@ using Point = Eigen::Vector2d;
 using Vector = Eigen::Vector2d;
 
 inline double distance(const Point &a, const Point &b) {
-  return std::hypot(b.x() - a.x(), b.y() - a.y());
+  const double x = b.x() - a.x(), y = b.y() - a.y();
+  return std::sqrt(x * x + y * y); // no length is so great that its square is none
 }
 
 /// Turned by a quarter, counter-clockwise.

@@ -23,6 +23,10 @@ public:
     if (!words.radius && !(byCentre && withCentre_))
       return sleepInShape();
     const ArcGeometry &arc = ctx.arc();
+    constexpr double same = 1e-6; // mm
+    const bool isShifted = ctx.outcome().kinds & bitOf(EventKind::CoordinateChange);
+    if (arc.start && arc.end && !isShifted && distance(*arc.start, *arc.end) > same)
+      return; // as nearly all do, it leads away
     // Without a word of the plane the end is the start, wherever that is.
     uint16_t plane = 0;
     for (const Axis axis : words.axes)
@@ -32,9 +36,7 @@ public:
     if (words.angle ||
         (ctx.code(event).takes & ctx.dialect().lineAngleWords & ctx.block().addresses))
       return;
-    constexpr double same = 1e-6; // mm
-    const bool meets = arc.start && arc.end && distance(*arc.start, *arc.end) <= same &&
-                       !(ctx.outcome().kinds & bitOf(EventKind::CoordinateChange));
+    const bool meets = arc.start && arc.end && !isShifted;
     if ((!staysPut && !meets) || !words.planeKnown)
       return;
     // With its centre beside the radius its neighbours give the ends; of a radius alone another

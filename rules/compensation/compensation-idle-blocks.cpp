@@ -38,7 +38,8 @@ public:
     } else {
       if (allowedAfterApproach_)
         approach(ctx);
-      if (ctx.after().compensation != phaseOn && !allowedAfterApproach_ && !infeeds_)
+      if ((ctx.after().compensation != phaseOn || !ctx.after().idleBlocks) &&
+          !allowedAfterApproach_ && !infeeds_)
         return sleepInShape();
       idle(ctx);
       if (infeeds_)

@@ -47,7 +47,8 @@ public:
     } else {
       if (ctx.before().compensation != phaseOn || !event.axes)
         return sleepInShape();
-      firstElement(event, ctx);
+      if (memory().entry)
+        firstElement(event, ctx);
       sleepInStretch(); // the next elements are no first ones
     }
   }

@@ -37,8 +37,9 @@ struct Row {
   uint64_t offset = 0; ///< the same as in `HolePlace`
   std::array<KindOfHole, 8> kinds{};
   std::array<Interval, axisCount> position{};
-  std::array<double, axisCount> at{}; ///< the same as in `HolePlace`
-  uint64_t key = 0;                   ///< the same
+  std::array<double, axisCount> at{};      ///< the same as in `HolePlace`
+  std::array<uint64_t, axisCount> parts{}; ///< what each of these adds to `key`
+  uint64_t key = 0;                        ///< the same as in `HolePlace`
 
   const KindOfHole *find(uint64_t known) const {
     const KindOfHole &kind = kinds[known % kinds.size()];
@@ -66,7 +67,7 @@ public:
   const HolePlace *find(const HolePlace &place) const {
     if (slots_.empty())
       return nullptr;
-    const uint16_t at = slots_[slotOf(place)];
+    const uint16_t at = slots_[slotOf(place.key)];
     return at ? &places_[at - 1] : nullptr;
   }
   /// The hole that the same list has made there before; null: there is none.
@@ -75,15 +76,17 @@ public:
       clear();
     depth_ = place.depth;
     list_ = place.list;
-    if (places_.size() > longestList)
-      return nullptr;
-    const size_t slot = slotOf(place);
-    if (const uint16_t at = slots_[slot])
-      return &places_[at - 1];
-    places_.push_back(place);
-    taken_.push_back(uint16_t(slot));
-    slots_[slot] = uint16_t(places_.size());
-    return nullptr;
+    return addToSame(place.key, [&] { places_.push_back(place); });
+  }
+  /// The same of the next hole of the row, one of `kind`, where that continues the list.
+  const HolePlace *addNext(const HolePlace &kind, uint32_t begin, uint32_t end) {
+    return addToSame(row.key, [&] {
+      HolePlace &place = places_.emplace_back(kind);
+      place.block.offset = begin;
+      place.end.offset = end;
+      place.at = row.at;
+      place.key = row.key;
+    });
   }
 
 private:
@@ -91,10 +94,24 @@ private:
   /// A power of two: a third of them is taken at most, so that the next free one is near.
   static constexpr size_t slotCount = 1u << 14;
 
-  /// Where the hole at that place is, or would be.
-  size_t slotOf(const HolePlace &place) const {
-    size_t slot = place.key % slotCount;
-    while (slots_[slot] && places_[slots_[slot] - 1].key != place.key)
+  /// The hole of that key; null: there was none, or the list is too long, and `append` has added
+  /// it.
+  template <typename Append>
+  const HolePlace *addToSame(uint64_t key, Append append) {
+    if (places_.size() > longestList)
+      return nullptr;
+    const size_t slot = slotOf(key);
+    if (const uint16_t at = slots_[slot])
+      return &places_[at - 1];
+    append();
+    taken_.push_back(uint16_t(slot));
+    slots_[slot] = uint16_t(places_.size());
+    return nullptr;
+  }
+  /// Where the hole of that key is, or would be.
+  size_t slotOf(uint64_t key) const {
+    size_t slot = key % slotCount;
+    while (slots_[slot] && places_[slots_[slot] - 1].key != key)
       slot = (slot + 1) % slotCount;
     return slot;
   }
@@ -273,6 +290,8 @@ private:
     row.position = position;
     row.at = place.at;
     row.key = place.key;
+    for (unsigned i = 0; i < axisCount; ++i)
+      row.parts[i] = partOfKey(i, place.at[i]);
     const uint64_t known = ctx.outcome().known;
     row.kinds[known % row.kinds.size()] = {known, stateUse, place};
   }
@@ -291,11 +310,17 @@ private:
     for (unsigned i = 0; i < (othersStay ? usual : axisCount); ++i)
       if (position[i] != row.position[i]) {
         const double at = numberAt(position[i], i == unsigned(row.tool));
-        row.key += partOfKey(i, at) - partOfKey(i, row.at[i]);
+        const uint64_t part = partOfKey(i, at);
+        row.key += part - row.parts[i];
+        row.parts[i] = part;
         row.position[i] = position[i];
         row.at[i] = at;
       }
     if (!isPlaceKnown(event, position, row.tool))
+      return true;
+    // A hole that is the first one at its place is put into the list as it is made.
+    if (!isGathering() && list().continues(kind->place) &&
+        !list().addNext(kind->place, ctx.block().begin, ctx.block().end))
       return true;
     HolePlace place = kind->place;
     place.block.offset = ctx.block().begin;

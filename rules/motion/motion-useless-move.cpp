@@ -121,8 +121,11 @@ private:
   /// Whether the next block that does more than switch something changes the tool.
   static bool changesToolNext(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
-    if (isFollowedByPlace(ctx))
+    // Most often a move that is known already follows.
+    if (const Block *next = ctx.nextAlike(); next && next->hasAny(dialect.axisWords)) {
+      ctx.index().noteRead(next->begin, next->next);
       return false;
+    }
     constexpr unsigned lookAhead = 6;
     const auto size = uint32_t(ctx.source().text().size());
     for (const Block &block : blocks(ctx.index(), ctx.block().next, size, lookAhead)) {

@@ -288,6 +288,39 @@ TEST(FastPath, ABlockReadOverTheOneBeforeItIsTheBlockThatTheReaderGives) {
   EXPECT_GT(alike, 1000u);
 }
 
+/// A number as somebody may write it: of any width, with a sign, zeros, or without a point.
+std::string randomNumber(std::mt19937 &dice) {
+  std::string number = dice() % 4 ? "" : "-";
+  number.append(dice() % 12 ? "" : "0");
+  for (unsigned digits = dice() % 5 + (dice() % 20 ? 0 : 5); digits; --digits)
+    number += char('0' + dice() % 10);
+  if (dice() % 8)
+    number += '.';
+  for (unsigned digits = dice() % 5; digits; --digits)
+    number += char('0' + dice() % 10);
+  return number;
+}
+
+TEST(FastPath, NumbersOfOtherWidthsAreReadAsTheReaderReadsThem) {
+  std::mt19937 dice(11);
+  unsigned alike = 0;
+  for (const char *dialect : {"fanuc-0m", "haas-mill", "sinumerik", "fanuc-0t"})
+    for (unsigned turn = 0; turn < 40; ++turn) {
+      const char *const ends[] = {"\n", "\r\n", " \n", " (A)\n"};
+      const std::string gap = dice() % 4 ? " " : "", end = ends[turn % std::size(ends)];
+      const bool hasNumbers = dice() % 3 == 0;
+      Sample sample{dialect, "widths " + std::to_string(turn), "", ""};
+      for (unsigned line = 0; line < 60; ++line) {
+        if (hasNumbers)
+          sample.text += "N" + std::to_string(1u << dice() % 27) + gap;
+        sample.text += "G1" + gap + "X" + randomNumber(dice) + gap + "Z" + randomNumber(dice);
+        sample.text += (dice() % 30 ? end : " F200." + end);
+      }
+      alike += readTwice(sample);
+    }
+  EXPECT_GT(alike, 1000u);
+}
+
 /// Blocks of known spellings; how many of them were looked at before their turn.
 unsigned lookedAtBefore(const Sample &sample) {
   const auto dialect = dialectNamed(sample.dialect);
