@@ -78,7 +78,8 @@ void fixesOfFinding(const Problem &problem, const CheckResult &result, const Vie
       return {"unsafe", "Not safe: the program may move otherwise afterwards", problem.fixTitle,
               true};
     });
-  fix["diagnostics"] = {parseMessage(problem.diagnostic)};
+  fix["diagnostics"] =
+      Json::array({parseMessage(problem.diagnostic)}); // `{one}` is no list to Clang
   fix["isPreferred"] = problem.safe;
   actions.push_back(std::move(fix));
   if (!problem.safe)
@@ -101,7 +102,7 @@ void suppressions(const Problem &problem, View &view, Json &actions) {
       return;
     Json silence =
         action(title.str(), "quickfix", {{view.document.uri, editsJson(view.positions, *edit)}});
-    silence["diagnostics"] = {parseMessage(problem.diagnostic)};
+    silence["diagnostics"] = Json::array({parseMessage(problem.diagnostic)});
     actions.push_back(std::move(silence));
   };
   offer("Allow " + rule + " here", allowHere(view.snapshot, problem.begin, rule));

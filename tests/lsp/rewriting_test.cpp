@@ -85,6 +85,15 @@ TEST(Rewriting, ALatheHasWordsForDistances) {
   EXPECT_EQ(places("fanuc-lathe", incremental), bare(absolute));
 }
 
+TEST(Rewriting, ALatheWhoseProgramHasCodesForDistancesIsLeftAlone) {
+  const std::string before = "O1\nG21 G40 G97 G99\nT0101\nS800 M03\nG00 X60. Z2.\n";
+  for (const char *dialect : {"fanuc-0t", "fanuc-lathe", "nct-104t"}) {
+    const std::string program = before + "<|>G91 G01 X-2. F0.2\nG90 Z-10.<|>\nG00 X100.\nM30\n";
+    EXPECT_EQ(distances(dialect, program).substr(0, 8), "refused:") << dialect;
+    EXPECT_EQ(places(dialect, program).substr(0, 8), "refused:") << dialect;
+  }
+}
+
 TEST(Rewriting, WhatIsNotAPlaceIsNotChanged) {
   EXPECT_EQ(distances("fanuc-mill", head + "#1=5.\n<|>G01 X#1 F100.\n<|>M30\n").substr(0, 8),
             "refused:");

@@ -71,6 +71,10 @@ private:
         modeIsWanted_ = true;
         if (code->action == wanted_)
           continue;
+        if (!byCode()) {
+          result_.refused = selection_.lineOf(block.begin) + " says otherwise by a code";
+          return;
+        }
         const llvm::StringRef digits = digitsOf(text_, block, word, dialect_);
         const auto at = uint32_t(digits.begin() - text_.begin());
         edit(at, at + uint32_t(digits.size()),
