@@ -27,9 +27,10 @@ public:
   void leaveToCallers(const OuterCalls &calls) { outer = &calls; }
   void listen(FlowListener &listener) { listeners.add(listener); }
   /// Takes over what earlier runs of the file have followed under the same rules, and adds to it.
-  void reuse(StraightRuns &runs, const RuleHost &rules) {
+  void reuse(StraightRuns &runs, RuleHost &rules) {
     runs_ = &runs;
     rules_ = &rules;
+    rules.recordUses();
   }
   /// The same for who asks for states alone, when a check of the same text has left `runs`.
   void replay(StraightRuns &runs) { runs_ = &runs; }

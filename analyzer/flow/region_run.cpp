@@ -13,8 +13,6 @@ namespace ncvet {
 
 namespace {
 
-/// The cancel flag is looked at once in so many blocks (a power of two).
-constexpr uint64_t cancelInterval = 256;
 /// The system is asked for the memory that is held once in so many.
 constexpr uint64_t memoryInterval = 1024;
 
@@ -176,25 +174,10 @@ bool RegionRun::passEmptyLines() {
   return true;
 }
 
-/// The text from here to `end` is passed over, or executed.
-void RegionRun::noteText(uint32_t end) {
-  refused_ = ~0u;
-  if (at_ != activation_.runEnd) {
-    run_.cover(unit_, activation_.runBegin, activation_.runEnd);
-    activation_.runBegin = at_;
-  }
-  activation_.runEnd = end;
-  firstTime_ = at_ >= activation_.high;
-  if (firstTime_)
-    activation_.high = end;
-}
-
-/// What is to be noted of every block that was read; false: the analysis was cancelled.
-bool RegionRun::noteRead() {
-  const bool goesOn = countSteps(1);
-  if (goesOn)
-    noteText(block_->next);
-  return goesOn;
+/// Further text is passed over, or executed, that does not follow what was before.
+void RegionRun::beginText() {
+  run_.cover(unit_, activation_.runBegin, activation_.runEnd);
+  activation_.runBegin = at_;
 }
 
 /// False: the analysis has come to the end of its memory.
@@ -206,11 +189,9 @@ bool RegionRun::fitsIntoMemory() {
   return false;
 }
 
-/// So many blocks were read; false: the analysis was cancelled.
-bool RegionRun::countSteps(uint64_t blocks) {
-  const uint64_t before = std::exchange(run_.steps, run_.steps + blocks);
-  if (before / cancelInterval == run_.steps / cancelInterval)
-    return true;
+/// What is looked at now and then, after `before` blocks were read when it was not time for it;
+/// false: the analysis was cancelled.
+bool RegionRun::mayRunOn(uint64_t before) {
   if (isCancelled()) {
     run_.stopped = true;
     run_.cut(blockRange(), "cancelled");

@@ -85,10 +85,31 @@ private:
   void make(KnownBlocks::Known &known, Live &live);
   void leaveModes(KnownBlocks::Known &known, const MachineState &state);
   void learn(Live &live);
-  bool noteRead();
-  bool countSteps(uint64_t blocks);
+  /// What is to be noted of every block that was read; false: the analysis was cancelled.
+  bool noteRead() {
+    const bool goesOn = countSteps(1);
+    if (goesOn)
+      noteText(block_->next);
+    return goesOn;
+  }
+  /// So many blocks were read; false: the analysis was cancelled.
+  bool countSteps(uint64_t blocks) {
+    const uint64_t before = std::exchange(run_.steps, run_.steps + blocks);
+    return before / cancelInterval == run_.steps / cancelInterval || mayRunOn(before);
+  }
+  bool mayRunOn(uint64_t before);
   bool fitsIntoMemory();
-  void noteText(uint32_t end);
+  /// The text from here to `end` is passed over, or executed.
+  void noteText(uint32_t end) {
+    refused_ = ~0u;
+    if (at_ != activation_.runEnd)
+      beginText();
+    activation_.runEnd = end;
+    firstTime_ = at_ >= activation_.high;
+    if (firstTime_)
+      activation_.high = end;
+  }
+  void beginText();
   bool passOver();
   bool passEmptyLines();
   bool spend();
@@ -126,6 +147,9 @@ private:
             firstTime_ && run_.callStack.empty() ? known_.get() : nullptr,
             kept_ ? uint64_t(unit_.source.id()) << 32 | at_ : 0};
   }
+  /// The cancel flag is looked at once in so many blocks (a power of two).
+  static constexpr uint64_t cancelInterval = 256;
+
   SourceRange blockRange() const { return {unit_.source.id(), block_->begin, block_->end}; }
 
   FlowRun &run_;

@@ -15,6 +15,8 @@ public:
 
   /// Every rule is told of all that it listens for, whatever it has said of blocks like it.
   void tellInFull() { dispatcher_.tellInFull(); }
+  /// Runs of blocks are recorded.
+  void recordUses() { dispatcher_.recordUses(); }
   const Dispatcher &dispatcher() const { return dispatcher_; }
   const Collector &collector() const { return collector_; }
   /// All findings, sorted.

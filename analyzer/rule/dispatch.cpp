@@ -144,7 +144,7 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
     return;
   const KnownModes *const again = shapes_ ? toldAgain(outcome) : nullptr;
   if (again && again->awake.empty()) {
-    stateUse |= again->asleepUse;
+    context_.noteUse(again->asleepUse);
     return;
   }
   prepare(unit, block, outcome, before, after, caller);
@@ -162,7 +162,7 @@ const Dispatcher::KnownModes *Dispatcher::toldAgain(const Outcome &outcome) cons
 }
 
 void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {
-  stateUse |= modes.asleepUse;
+  context_.noteUse(modes.asleepUse);
   const bool hasRows = modes.inRow.size() != modes.awake.size();
   const bool inRow = hasRows && context_.block().comments.empty() && isFollowedByPlace(context_);
   for (const Awake &one : inRow ? modes.inRow : modes.awake)
@@ -223,7 +223,9 @@ void Dispatcher::findOut(KnownShape &shape, const Outcome &outcome) {
   modes.inRow.clear();
   modes.asleepUse = {};
   finding_ = &modes;
+  context_.notes_ = true;
   tellAll(outcome);
+  context_.notes_ = recordsUses_;
   finding_ = nullptr;
   StateUse use = shape.use;
   use |= modes.asleepUse;

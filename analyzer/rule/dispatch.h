@@ -23,6 +23,8 @@ public:
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after, const CallSite *caller,
                 TextAhead *ahead = nullptr, uint64_t place = 0);
+  /// Runs of blocks are recorded, with all that is looked at in them: see `RuleContext::noteUse`.
+  void recordUses() { recordsUses_ = context_.notes_ = true; }
   /// Every rule is told of every event that it listens for, whatever it has said of blocks like it.
   void tellInFull() { shapes_.reset(); }
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
@@ -151,6 +153,7 @@ private:
   std::unique_ptr<KnownShapes> shapes_ = std::make_unique<KnownShapes>();
   KnownModes *finding_ = nullptr; ///< of whom it is found out who is told
   bool findingPlace_ = false;     ///< of one block of the text alone
+  bool recordsUses_ = false;      ///< see `recordUses`
   RuleContext context_;
 };
 

@@ -23,39 +23,35 @@ bool isSame(const ArcGeometry &a, const ArcGeometry &b) {
 
 } // namespace
 
-ArcWords KnownArcs::Entry::words(const Block &block) const {
-  ArcWords words = words_;
+void KnownArcs::Entry::fill(const Block &block, ArcWords &words) const {
+  words = words_;
   for (size_t i = 0; i < 2; ++i)
     words.centre[i] = wordAt(block, centre_[i].word);
   words.foreign = wordAt(block, foreign_);
   words.radius = wordAt(block, radius_.word);
   words.angle = wordAt(block, angle_);
-  return words;
 }
 
 /// In machine coordinates and under a transformation the blocks are of another kind.
-std::optional<Point> KnownArcs::Entry::place(const MachineState &state) const {
+void KnownArcs::Entry::place(const MachineState &state, std::optional<Point> &at) const {
   const Interval &x = state.at(words_.axes[0]), &y = state.at(words_.axes[1]);
-  if (!x.isConstant() || !y.isConstant())
-    return std::nullopt;
-  return Point(x.value() / lengths_[0], y.value() / lengths_[1]);
+  if (x.isConstant() && y.isConstant())
+    at.emplace(x.value() / lengths_[0], y.value() / lengths_[1]);
 }
 
-ArcGeometry KnownArcs::Entry::geometry(const Block &block, const MachineState &before,
-                                       const MachineState &after) const {
-  ArcGeometry arc;
-  arc.start = place(before);
-  arc.end = place(after);
+void KnownArcs::Entry::fill(const Block &block, const MachineState &before,
+                            const MachineState &after, ArcGeometry &arc) const {
+  place(before, arc.start);
+  place(after, arc.end);
   if (radius_.word >= 0)
     arc.radius = radius_.in(block);
   if (hasCentre_) {
-    arc.centreWords = Point::Zero();
+    Point &words = arc.centreWords.emplace(Point::Zero());
     for (size_t i = 0; i < 2; ++i)
       if (centre_[i].word >= 0)
-        (*arc.centreWords)[Eigen::Index(i)] = centre_[i].in(block);
+        words[Eigen::Index(i)] = centre_[i].in(block);
   }
   arc.centreAbsolute = centreAbsolute_;
-  return arc;
 }
 
 KnownArcs::Entry &KnownArcs::keep(uint64_t known, const Block &block, const ArcWords &words) {
@@ -90,7 +86,9 @@ void KnownArcs::keepGeometry(Entry &entry, const Block &block, const Dialect &di
     entry.lengths_[i] = dialect.lengthsPerUnit(words.axes[i]);
   entry.hasCentre_ = arc.centreWords.has_value();
   entry.centreAbsolute_ = arc.centreAbsolute;
-  entry.hasGeometry = isSame(entry.geometry(block, before, after), arc);
+  ArcGeometry again;
+  entry.fill(block, before, after, again);
+  entry.hasGeometry = isSame(again, arc);
 }
 
 } // namespace ncvet

@@ -14,10 +14,10 @@ public:
     bool hasGeometry = false;
     StateUse wordsUse, geometryUse; ///< what was looked at to find it out
 
-    ArcWords words(const Block &block) const;
-    /// As `arcGeometry`; only with `hasGeometry`.
-    ArcGeometry geometry(const Block &block, const MachineState &before,
-                         const MachineState &after) const;
+    void fill(const Block &block, ArcWords &words) const;
+    /// As `arcGeometry`, into one of which nothing is known; only with `hasGeometry`.
+    void fill(const Block &block, const MachineState &before, const MachineState &after,
+              ArcGeometry &arc) const;
 
   private:
     friend class KnownArcs;
@@ -27,7 +27,7 @@ public:
       double factor = 1; ///< millimetres per unit of its number
       double in(const Block &block) const { return block.words[size_t(word)].value() * factor; }
     };
-    std::optional<Point> place(const MachineState &state) const;
+    void place(const MachineState &state, std::optional<Point> &at) const;
 
     ArcWords words_; ///< of which the pointers say nothing
     std::array<Length, 2> centre_;

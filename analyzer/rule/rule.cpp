@@ -63,9 +63,9 @@ const ArcWords &RuleContext::arcWords() const {
     return *arcWords_;
   const KnownArcs::Entry *const entry = knownArcs_ ? knownArcs_->find(outcome_->known) : nullptr;
   if (entry)
-    stateUse |= entry->wordsUse;
+    noteUse(entry->wordsUse);
   if (!arcWords_ && entry) {
-    arcWords_ = entry->words(*block_);
+    entry->fill(*block_, arcWords_.emplace());
   } else if (!arcWords_) {
     const StateUse used = std::exchange(stateUse, StateUse());
     arcWords_ = ncvet::arcWords(*dialect_, *after_, *block_);
@@ -89,8 +89,8 @@ const ArcGeometry &RuleContext::arc() const {
   const ArcWords &words = arcWords();
   KnownArcs::Entry *const entry = knownArcs_ ? knownArcs_->find(outcome_->known) : nullptr;
   if (entry && entry->hasGeometry) {
-    stateUse |= entry->geometryUse;
-    arc_ = entry->geometry(*block_, *before_, *after_);
+    noteUse(entry->geometryUse);
+    entry->fill(*block_, *before_, *after_, arc_.emplace());
     return *arc_;
   }
   const StateUse used = std::exchange(stateUse, StateUse());

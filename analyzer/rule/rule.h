@@ -215,6 +215,12 @@ public:
   /// block before it. Null: whoever wants to know it reads it. Valid while the rule is told. Who
   /// lets it decide says so by `index().noteRead`.
   const Block *nextAlike() const;
+  /// What was looked at when something was found out that is only taken now. Without anybody who
+  /// records runs it is of interest while it is found out who sleeps alone.
+  void noteUse(const StateUse &use) const {
+    if (notes_)
+      stateUse |= use;
+  }
 
   /// Value of a word as written (before units), on the state before the block.
   Interval value(const Word &word) const { return wordValue(word, *block_, *before_); }
@@ -292,6 +298,7 @@ private:
   const MachineState *after_ = nullptr;
   const CallSite *caller_ = nullptr;
   TextAhead *ahead_ = nullptr;
+  bool notes_ = false; ///< see `noteUse`
   mutable std::optional<ArcWords> arcWords_;
   mutable std::optional<ArcGeometry> arc_;
   mutable bool arcWordsNoted_ = false;          ///< what they depend on, since `startNotes`

@@ -302,7 +302,7 @@ private:
     const KindOfHole *const kind = row.find(ctx.outcome().known);
     if (!kind || row.call != ctx.after().origin.of(StatePart::Cycle))
       return false;
-    stateUse |= kind->use;
+    ctx.noteUse(kind->use);
     const std::array<Interval, axisCount> &position = ctx.after().position;
     constexpr unsigned usual = 3; // X, Y, Z
     const bool othersStay = std::memcmp(&position[usual], &row.position[usual],

@@ -18,14 +18,20 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::ToolChange) {
-      const bool same = event.tool() >= 0 && event.tool() == memory().tool; // another offset of it
-      memory().tool = event.tool();
-      memory().hasCut = !same && ctx.before().must(Fact::Cut);
-      return;
-    }
-    if (!memory().hasCut || !cuts(event, ctx))
-      return;
+    if (event.kind == EventKind::ToolChange)
+      return changeTool(event, ctx);
+    if (memory().hasCut && cuts(event, ctx))
+      firstCut(event, ctx);
+  }
+
+private:
+  void changeTool(const Event &event, const RuleContext &ctx) const {
+    const bool same = event.tool() >= 0 && event.tool() == memory().tool; // another offset of it
+    memory().tool = event.tool();
+    memory().hasCut = !same && ctx.before().must(Fact::Cut);
+  }
+
+  LLVM_ATTRIBUTE_NOINLINE void firstCut(const Event &event, RuleContext &ctx) const {
     memory().hasCut = false;
     const MachineState &after = ctx.after();
     const Origin &feed = after.origin.of(StatePart::Feed), &tool = after.origin.of(StatePart::Tool);
@@ -44,7 +50,6 @@ public:
           .note(tool, "the tool is called here");
   }
 
-private:
   /// At least three other tools of the program have a feed of their own at their first cut, and all
   /// but this one.
   static bool othersHaveTheirOwn(const RuleContext &ctx) {
