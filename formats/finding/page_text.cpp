@@ -110,6 +110,16 @@ bool isTestMark(llvm::StringRef line) {
   return line.startswith("^") && line.ltrim('^').startswith(" expect:");
 }
 
+/// The head of a program, "```nc CONTROL wrong machine={...}", as people need it: its section says
+/// whether it is wrong, and a sentence which machine it runs on.
+std::string headForReaders(llvm::StringRef head) {
+  const llvm::StringRef machine = head.split(" machine=").second.trim();
+  std::string text;
+  if (!machine.empty())
+    text = ("With the machine profile `" + machine + "`:\n\n").str();
+  return text + programFence.str() + controlOf(head).str() + "\n";
+}
+
 } // namespace
 
 std::pair<llvm::StringRef, llvm::StringRef> splitPage(llvm::StringRef page) {
@@ -157,6 +167,11 @@ std::string forReaders(llvm::StringRef body) {
     if (piece.kind == PagePiece::Paragraph && piece.text.startswith("Source:"))
       continue;
     llvm::StringRef rest = piece.text;
+    if (piece.kind == PagePiece::Program) {
+      const size_t head = rest.find('\n');
+      text += headForReaders(rest.take_front(head));
+      rest = rest.drop_front(head == llvm::StringRef::npos ? rest.size() : head + 1);
+    }
     while (!rest.empty()) {
       const size_t end = rest.find('\n');
       const llvm::StringRef line = rest.take_front(end == llvm::StringRef::npos ? end : end + 1);

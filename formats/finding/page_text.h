@@ -22,8 +22,8 @@ std::vector<std::string> controlsOfPrograms(llvm::StringRef body);
 /// Unchanged when it has no program of any of them.
 std::string withProgramsOf(llvm::ArrayRef<std::string> controls, llvm::StringRef body);
 
-/// The text without what is for the makers of ncvet: the marks of tests in programs, and the places
-/// of manuals that a page rests on.
+/// The text without what is for the makers of ncvet: the marks of tests in programs and what their
+/// heads tell the tests, and the places of manuals that a page rests on.
 std::string forReaders(llvm::StringRef body);
 
 } // namespace ncvet

@@ -23,8 +23,8 @@ TEST(ExplainCommand, ShowsThePageWithoutItsMetadataBlock) {
 TEST(ExplainCommand, ShowsTheProgramsOfTheControlThatIsAskedFor) {
   Shop shop;
   const ProcessResult one = shop.run({"explain", "cycle-peck-invalid", "--dialect", "nct-104m"});
-  EXPECT_THAT(one.out, HasSubstr("```nc nct-104m wrong"));
-  EXPECT_THAT(one.out, HasSubstr("```nc nct-104m right"));
+  EXPECT_THAT(one.out, HasSubstr("## Wrong\n\n```nc nct-104m\n"));
+  EXPECT_THAT(one.out, HasSubstr("## Right\n\n```nc nct-104m\n"));
   EXPECT_THAT(one.out, Not(HasSubstr("```nc haas-lathe")));
   EXPECT_THAT(one.out, HasSubstr("## Wrong"));
   const ProcessResult unknown = shop.run({"explain", "feed-missing", "--dialect", "haas"});

@@ -134,7 +134,9 @@ TEST(PageOfOneControl, LeavesOutTheProgramsOfOthersAndWhatIntroducesOnlyThem) {
 TEST(PageForReaders, HasNoMarksOfTestsAndNoPlacesOfManuals) {
   EXPECT_EQ(forReaders("## Wrong\n\n```nc ecs wrong\nG1 X1\n' ^^ expect: definite\nM30\n```\n\n"
                        "Source: ECS manual, lines 2009-2014.\n"),
-            "## Wrong\n\n```nc ecs wrong\nG1 X1\nM30\n```\n\n");
+            "## Wrong\n\n```nc ecs\nG1 X1\nM30\n```\n\n");
+  EXPECT_EQ(forReaders("```nc ecs right machine={\"options\": {}}\nG1 X1\n```\n"),
+            "With the machine profile `{\"options\": {}}`:\n\n```nc ecs\nG1 X1\n```\n");
 }
 
 } // namespace

@@ -104,8 +104,7 @@ TEST(SarifReportTest, HelpIsForReadersAndShowsTheControlsThatWereChecked) {
   rules[0].help = page;
   sample.report.rules = rules;
   const Json rule = runOf(sample.report)["tool"]["driver"]["rules"][0];
-  EXPECT_EQ(rule["help"]["markdown"],
-            "# rule\n\n## Wrong\n\n```nc haas-mill wrong\nG1 X1\n```\n\n");
+  EXPECT_EQ(rule["help"]["markdown"], "# rule\n\n## Wrong\n\n```nc haas-mill\nG1 X1\n```\n\n");
   EXPECT_EQ(rule["helpUri"],
             "data:text/plain,See%20%60ncvet%20explain%20cycle-unintended-execution%60.");
 }
