@@ -47,19 +47,27 @@ bool isDataFile(const SourceFile &source, const Dialect &dialect) {
          kindOfEnding(ending, dialect) == ProgramKind::Unknown;
 }
 
-/// The text before the first mark of the tape is one comment: the sender's, for people.
+/// What comes before the first header is looked at so far, in bytes: a fragment shows soon.
+constexpr uint32_t longestLeader = 65536;
+
+/// The text before the first mark of the tape is comments alone: the sender's, for people.
 bool isLeaderComment(llvm::StringRef text) {
-  text = text.trim();
-  return text.startswith("(") && !text.contains('\n') && !text.contains('\r');
+  llvm::SmallVector<llvm::StringRef, 8> lines;
+  text.take_front(longestLeader).split(lines, '\n', /*MaxSplit=*/-1, /*KeepEmpty=*/false);
+  bool comments = false;
+  for (llvm::StringRef line : lines) {
+    line = line.trim();
+    if (!line.empty() && !line.startswith("("))
+      return false;
+    comments |= !line.empty();
+  }
+  return comments;
 }
 
 bool isHeaderMark(char c, const Dialect &dialect) {
   const llvm::StringRef marks = dialect.lexical.headerMarks;
   return marks.contains(c) || marks.contains(llvm::toUpper(c));
 }
-
-/// What comes before the first header is looked at so far, in bytes: a fragment shows soon.
-constexpr uint32_t longestLeader = 65536;
 
 /// Whether blocks from `at` on have nothing to execute, up to the line `end` or about `limit`.
 bool isEmpty(const Reader &reader, uint32_t at, uint32_t end, uint32_t limit) {

@@ -51,6 +51,15 @@ TEST(FanucCalls, OfTheBuildersCodesTakeAllWords) {
     EXPECT_THAT(movesOf(call), IsEmpty()) << call;
 }
 
+/// What a sender writes over the first mark of the tape is for people, however many lines it has.
+TEST(FanucTape, BeginsAfterCommentsOfTheSender) {
+  const std::string program = "%\nN1 G0 X5.\nM30\n%\n";
+  const std::vector<std::string> plain = traceOf("fanuc-mill", program);
+  ASSERT_FALSE(plain.empty());
+  for (const char *leader : {"(SENT BY DNC)\n", "(SENT BY DNC)\r\n\r\n(PART 7)\r\n(REV B)\r\n"})
+    EXPECT_EQ(traceOf("fanuc-mill", leader + program).size(), plain.size()) << leader;
+}
+
 /// Two letters of a statement or of a function are enough (0i and later).
 TEST(FanucStatements, MayBeCutToTwoLetters) {
   EXPECT_THAT(traceOf("fanuc-mill", "O1\nG90 G21\n#1=0\n"
