@@ -3,6 +3,13 @@
 # to the log as annotations, and their summary to the page of the job.
 set -eu
 
+if ! command -v "$NCVET" >/dev/null 2>&1; then
+  echo "::error title=ncvet::$NCVET is not in the PATH: install it in a step before this one, or name it in the input 'ncvet'"
+  exit 2
+fi
+# Steps that run ncvet by themselves, in its own form: their findings become annotations, too.
+if [ -n "${GITHUB_ACTION_PATH:-}" ]; then echo "::add-matcher::$GITHUB_ACTION_PATH/ci/problem-matcher.json"; fi
+
 # Inputs with blanks are lists. A file name in them is not expanded.
 set -f
 # shellcheck disable=SC2086

@@ -337,6 +337,8 @@ void Check::buildReport() {
   report_.sources = &sources_;
   report_.colourNames = colourNames();
   report_.folder = folderFromRoot(jobs_);
+  if (llvm::SmallString<128> here; !llvm::sys::fs::current_path(here))
+    report_.here = llvm::sys::path::convert_to_slash(here);
   for (Job &job : jobs_) {
     if (!job.outcome.error.empty()) {
       job.skipped ? warn(job.input.display, job.outcome.error)

@@ -272,6 +272,8 @@ llvm::Expected<CheckRequest> CheckOptions::request(const OptionSet &options) con
   request.color =
       color_ == "always" || (color_ == "auto" && !llvm::sys::Process::GetEnv("NO_COLOR") &&
                              llvm::sys::Process::StandardOutHasColors());
+  // On Windows they would be set in the console alone, and be lost in a pipe.
+  llvm::sys::Process::UseANSIEscapeCodes(request.color);
   request.paths = paths_.empty() ? std::vector<std::string>{"."} : paths_;
   request.baseline = baseline_;
   request.writeBaseline = writeBaseline_;

@@ -33,8 +33,8 @@ constexpr llvm::StringLiteral usage =
     ncvet lsp                 serve an editor on standard input and output
     ncvet dap                 the same for its debugger: a dry run, block by block
 
-`ncvet COMMAND --help` shows a command's options. Exit code: 0 nothing found, 1 findings,
-2 wrong usage or something that cannot be read or written.
+`ncvet COMMAND --help` shows a command's options. Exit code: 0 no error found, 1 an error
+(`check --fail-on` makes more count), 2 wrong usage or something that cannot be read or written.
 )";
 
 /// All subcommands.

@@ -55,7 +55,9 @@ private:
     llvm::StringRef display = file;
     while (display.consume_front("./"))
       display = display.ltrim('/');
-    inputs_.files.push_back({file.str(), path::convert_to_slash(display), named});
+    // Under one name programs find one another; `-` alone is standard input.
+    const llvm::StringRef name = display == "-" ? file : display;
+    inputs_.files.push_back({name.str(), path::convert_to_slash(display), named});
   }
 
   void walkFrom(llvm::StringRef folder) {

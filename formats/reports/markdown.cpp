@@ -47,12 +47,18 @@ public:
 private:
   static void writeTotals(const Report &report, const FindingCounts &counts,
                           llvm::raw_ostream &out) {
-    if (counts.shown == 0)
-      out << "no findings in " << report.files.size() << " files\n";
-    else
-      out << counts.shown << " findings: " << counts.of(Severity::Error) << " errors, "
-          << counts.of(Severity::Warning) << " warnings, " << counts.of(Severity::Style)
-          << " style\n";
+    const auto counted = [&](size_t number, llvm::StringRef what) -> llvm::raw_ostream & {
+      return out << number << ' ' << what << (number == 1 ? "" : "s");
+    };
+    if (counts.shown == 0) {
+      out << "no findings in ";
+      counted(report.files.size(), "file") << '\n';
+    } else {
+      counted(counts.shown, "finding") << ": ";
+      counted(counts.of(Severity::Error), "error") << ", ";
+      counted(counts.of(Severity::Warning), "warning") << ", ";
+      out << counts.of(Severity::Style) << " style\n";
+    }
     if (counts.known)
       out << '\n' << counts.known << " more are known from the baseline.\n";
   }

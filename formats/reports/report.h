@@ -50,6 +50,7 @@ struct Report {
   /// The folder that paths are relative to, as seen from the root of the project; empty: it is the
   /// root.
   std::string folder;
+  std::string here; ///< the same folder as an absolute path, of which absolute paths are freed
   llvm::ArrayRef<RuleInfo> rules;
   const SourceSet *sources = nullptr;
   std::vector<Finding> findings;

@@ -138,7 +138,7 @@ private:
     for (const auto &[path, role] : roles) {
       artifactIndex_.try_emplace(path, artifacts_.size());
       artifacts_.push_back({path, role});
-      usesRoot_ |= !llvm::sys::path::is_absolute(path);
+      usesRoot_ |= !llvm::sys::path::is_absolute(pathFromRoot(report_, path));
     }
   }
 
@@ -160,8 +160,9 @@ private:
 
   Json artifactLocation(llvm::StringRef path) const {
     Json result = Json::object();
-    result["uri"] = uriOf(pathFromRoot(report_, path));
-    if (!llvm::sys::path::is_absolute(path))
+    const std::string shown = pathFromRoot(report_, path);
+    result["uri"] = uriOf(shown);
+    if (!llvm::sys::path::is_absolute(shown))
       result["uriBaseId"] = rootId;
     result["index"] = artifactIndex_.lookup(path);
     return result;

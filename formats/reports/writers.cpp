@@ -25,6 +25,9 @@ Region regionOf(const Report &report, const SourceRange &range) {
 }
 
 std::string pathFromRoot(const Report &report, llvm::StringRef display) {
+  if (llvm::StringRef below = display;
+      !report.here.empty() && below.consume_front(report.here) && below.consume_front("/"))
+    display = below;
   if (report.folder.empty() || llvm::sys::path::is_absolute(display))
     return display.str();
   llvm::SmallString<128> path = llvm::StringRef(report.folder);

@@ -23,12 +23,20 @@ constexpr uint32_t countStep = 1u << 12;
 
 void dropPages(llvm::StringRef bytes) { system::dropPages(bytes.begin(), bytes.end()); }
 
+/// One name for one file: what `./a.nc` calls lies in the same folder as where `a.nc` is named.
+std::string withoutDot(std::string name) {
+  llvm::StringRef rest = name;
+  while (rest.consume_front("./"))
+    rest = rest.ltrim('/');
+  return rest.empty() ? name : rest.str();
+}
+
 } // namespace
 
 SourceFile::SourceFile(FileId id, std::string path, std::string display,
                        std::unique_ptr<llvm::MemoryBuffer> buffer)
-    : id_(id), path_(std::move(path)), display_(std::move(display)), buffer_(std::move(buffer)),
-      text_(buffer_->getBuffer()), lines_(text_) {}
+    : id_(id), path_(withoutDot(std::move(path))), display_(withoutDot(std::move(display))),
+      buffer_(std::move(buffer)), text_(buffer_->getBuffer()), lines_(text_) {}
 
 llvm::Expected<std::unique_ptr<SourceFile>> SourceFile::open(FileId id, llvm::StringRef path,
                                                              llvm::StringRef display) {

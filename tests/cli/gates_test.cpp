@@ -126,10 +126,12 @@ TEST(Action, GivesItsInputsToNcvet) {
   EXPECT_EQ(1, code);
   EXPECT_THAT(shop.text("action.log"),
               HasSubstr("::error title=ncvet%3A feed-missing,file=jobs/a.nc,line=4,"));
-  EXPECT_THAT(shop.text("summary.md"), HasSubstr("### ncvet: 1 findings"));
+  EXPECT_THAT(shop.text("summary.md"),
+              HasSubstr("### ncvet: 1 finding: 1 error, 0 warnings, 0 style"));
   EXPECT_THAT(shop.text("out.sarif"), HasSubstr("\"2.1.0\""));
   // All inputs of the script are those of the action.
-  for (const char *input : {"paths", "arguments", "fail-on", "changed-since", "baseline", "sarif"})
+  for (const char *input :
+       {"paths", "arguments", "fail-on", "changed-since", "baseline", "sarif", "ncvet"})
     EXPECT_THAT(sourceText("action.yml"), HasSubstr("${{ inputs." + std::string(input) + " }}"));
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 /// A script that runs `ncvet.exe`; Wine's own folder outlives the tests, as it takes long to make.
@@ -82,6 +83,15 @@ TEST_F(Windows, FixesKeepLineEnds) {
   shop_.file("a.nc", "O0001\r\ng0 x1.\r\nM30\r\n");
   shop_.run({"check", "--dialect", "haas-lathe", "--select", "style-lower-case", "--fix", "a.nc"});
   EXPECT_EQ("O0001\r\nG0 X1.\r\nM30\r\n", shop_.text("a.nc"));
+}
+
+TEST_F(Windows, ColoursGoIntoAPipeWhenAskedFor) {
+  shop_.file("a.nc", programWithoutFeed());
+  const auto printed = [&](const char *when) {
+    return shop_.run({"check", "--dialect", "haas-lathe", "--color", when, "a.nc"}).out;
+  };
+  EXPECT_THAT(printed("always"), HasSubstr("\x1b["));
+  EXPECT_THAT(printed("auto"), Not(HasSubstr("\x1b[")));
 }
 
 TEST_F(Windows, ReadsAProgramFromStandardInput) {

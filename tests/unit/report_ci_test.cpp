@@ -196,7 +196,7 @@ TEST(JsonLinesReport, HasTheFindingsOfTheJsonReport) {
 
 TEST(MarkdownReport, CountsFindingsAndLeavesNothingOfAMessageToMarkdown) {
   const std::string text = written("markdown", SampleReport().report);
-  EXPECT_THAT(text, StartsWith("### ncvet: 3 findings: 1 errors, 1 warnings, 1 style\n"));
+  EXPECT_THAT(text, StartsWith("### ncvet: 3 findings: 1 error, 1 warning, 1 style\n"));
   EXPECT_THAT(text, HasSubstr("| `missing-feed` | 1 | A cutting motion has no feed. |"));
   EXPECT_THAT(text,
               HasSubstr("| programs/sub.nc:2 | error | G1 without a feed | `missing-feed` |"));
