@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/text_answers.h"
 
 namespace ncvet {
@@ -10,11 +10,16 @@ namespace ncvet {
 /// Whether tools measure, by where they are changed in.
 using MeasuringTools = TextAnswers<std::pair<FileId, uint32_t>, bool>;
 
-/// Whether a skip move (G31, MEAS) follows in the text, from the block at `from` to the next change
-/// of the tool.
-inline bool measuresBeforeNextTool(const RuleContext &ctx, uint32_t from, uint32_t end) {
+/// Whether a skip move (G31, MEAS) follows in the text of the program, from the block at `from` to
+/// the next change of the tool.
+inline bool measuresBeforeNextTool(const RuleContext &ctx, const ProgramInfo &program,
+                                   uint32_t from) {
   const Dialect &dialect = ctx.dialect();
-  for (const Block &block : blocks(ctx.index(), from, end)) {
+  const AddressMask tool = dialect.toolChangeByT ? maskOf(letterAddress('T')) : 0;
+  const auto wants = [&](const TextPiece &piece) {
+    return piece.hasAny(tool) || piece.mayName(dialect, {Action::SkipMove, Action::ToolChange});
+  };
+  for (const Block &block : blocksWhere(ctx.index(), program, wants, from)) {
     if (findCode(dialect, block, {Action::SkipMove}))
       return true;
     const bool changes = findCode(dialect, block, {Action::ToolChange}) ||
@@ -35,7 +40,7 @@ inline bool toolMeasures(const RuleContext &ctx, const MeasuringTools &known) {
   const uint32_t from = here ? ctx.source().lines().lineBegin(tool.begin) : program.begin;
   ctx.index().reader(); // the text is looked through, now or before
   return known.of({ctx.source().id(), std::max(from, program.begin)}, [&] {
-    return measuresBeforeNextTool(ctx, std::max(from, program.begin), program.end);
+    return measuresBeforeNextTool(ctx, program, std::max(from, program.begin));
   });
 }
 

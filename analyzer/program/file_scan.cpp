@@ -15,11 +15,6 @@ namespace {
 
 /// Places of one byte beyond so many are not kept.
 constexpr size_t mostPlaces = 1u << 22;
-/// Blocks of a piece whose names are kept together.
-constexpr uint64_t pieceBlocks = 512;
-/// After so many plain blocks the next one that is not begins a piece of its own, and so many end
-/// such a piece: who looks for them reads little else.
-constexpr uint64_t plainBlocks = 32;
 
 /// Files with lone CR as line end are rare.
 bool endsLinesByLineFeed(llvm::StringRef text, uint32_t begin) {
@@ -142,37 +137,6 @@ bool hasMainBlocks(llvm::StringRef marks) { return !marks.contains(':'); }
 uint32_t &offsetOf(uint32_t &offset) { return offset; }
 uint32_t &offsetOf(NumberedBlock &block) { return block.offset; }
 
-bool holdsNothing(const Block &block) { return block.isEmpty() && block.number < 0; }
-
-/// See `TextPiece::isPlain`.
-bool isPlain(const Block &block) {
-  constexpr AddressMask control = maskOf('M') | maskOf(keywordAddress);
-  if (holdsNothing(block))
-    return block.kind == BlockKind::Empty;
-  return block.kind == BlockKind::Normal && block.items.empty() && !block.hasAny(control) &&
-         block.number < 0 && !block.hasLabel() && !block.words.empty();
-}
-
-void look(TextPiece &piece, const SourceFile &source, const Reader &reader, const Block &block) {
-  piece.blocks += !holdsNothing(block);
-  if (block.hasLabel())
-    piece.labels.emplace_back(reader.labelKey(source.text(block.labelBegin, block.labelEnd)),
-                              piece.end);
-  for (const Item &item : block.items) {
-    if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
-        item.kind != ItemKind::Parameters && item.kind != ItemKind::Macro)
-      continue;
-    piece.definitions.emplace_back(
-        source.text(item.nameBegin, item.nameEnd).upper(),
-        Defined{item.kind, item.type, item.arguments != 0, item.nameBegin, item.nameEnd});
-    if (item.kind == ItemKind::Parameters)
-      for (const Argument &parameter : block.argumentsOf(item))
-        piece.definitions.emplace_back(
-            source.text(parameter.begin, parameter.end).upper(),
-            Defined{ItemKind::Definition, parameter.type, false, parameter.begin, parameter.end});
-  }
-}
-
 /// Entries of [begin, end) give way to `fresh`, those after move.
 template <typename Entry>
 void replace(std::vector<Entry> &entries, uint32_t begin, uint32_t end, const TextChange &change,
@@ -236,45 +200,19 @@ const std::vector<uint32_t> *FileScan::places(const SourceFile &source, char c) 
   return places.size() > mostPlaces ? nullptr : &places;
 }
 
-void TextPiece::move(const TextChange &change) {
-  RunPlace::move(change);
-  for (auto &[key, block] : labels)
-    block = change.moved(block);
-  for (auto &[name, defined] : definitions) {
-    defined.begin = change.moved(defined.begin);
-    defined.end = change.moved(defined.end);
-  }
+const TextPiece &FileScan::pieceAt(const PieceReader &reader, uint32_t begin, uint32_t end) {
+  if (const TextPiece *known = pieces_.find(begin); known && known->end <= end)
+    return *known;
+  pieces_.insert(reader.read(begin, std::min(end, pieces_.next(begin + 1))));
+  return *pieces_.find(begin);
 }
 
-void FileScan::eachPiece(const SourceFile &source, const Reader &reader, uint32_t begin,
-                         uint32_t end, llvm::function_ref<bool(const TextPiece &)> visit) {
-  Block block;
+void FileScan::eachPiece(const PieceReader &reader, uint32_t begin, uint32_t end,
+                         llvm::function_ref<bool(const TextPiece &)> visit) {
   for (uint32_t at = begin; at < end;) {
-    const TextPiece *known = pieces_.find(at);
-    if (!known || known->end > end) {
-      TextPiece piece;
-      piece.begin = piece.end = at;
-      const uint32_t stop = std::min(end, pieces_.next(at + 1));
-      uint64_t plain = 0; // in a row
-      for (uint64_t read = 0; piece.end < stop && read < pieceBlocks; ++read) {
-        reader.read(piece.end, block);
-        if (isPlain(block)) {
-          if (++plain > plainBlocks && !piece.isPlain)
-            break;
-        } else {
-          if (plain > plainBlocks)
-            break;
-          plain = 0;
-          piece.isPlain = false;
-        }
-        look(piece, source, reader, block);
-        piece.end = block.next;
-      }
-      pieces_.insert(std::move(piece));
-      known = pieces_.find(at);
-    }
-    at = known->end;
-    if (!visit(*known))
+    const TextPiece &piece = pieceAt(reader, at, end);
+    at = piece.end;
+    if (!visit(piece))
       return;
   }
 }

@@ -1,8 +1,7 @@
 // Incremental index of a text: line starts, block numbers, labels, definitions.
 #pragma once
 
-#include "analyzer/program/span_store.h"
-#include "formats/readers/reader.h"
+#include "analyzer/program/text_piece.h"
 
 #include <map>
 #include <optional>
@@ -14,24 +13,6 @@ namespace ncvet {
 struct NumberedBlock {
   int64_t number = 0;
   uint32_t offset = 0;
-};
-
-/// A name that a program defines for itself.
-struct Defined {
-  ItemKind kind = ItemKind::Definition; ///< Definition, Parameters, Declaration, Macro
-  VariableType type = VariableType::None;
-  bool array = false;
-  uint32_t begin = 0, end = 0; ///< where its name is
-};
-
-/// What the blocks of a piece of the text hold.
-struct TextPiece : RunPlace {
-  /// Each block with content holds words only: no number, label, M code or statement.
-  bool isPlain = true;
-  std::vector<std::pair<std::string, uint32_t>> labels;     ///< by key, with their blocks
-  std::vector<std::pair<std::string, Defined>> definitions; ///< by name in capitals
-
-  void move(const TextChange &change);
 };
 
 /// Each question is answered by one look at the whole text; after a change only the lines that it
@@ -46,8 +27,10 @@ public:
   const std::vector<uint32_t> *places(const SourceFile &source, char c);
   /// Calls `visit` for the pieces of [begin, end), which begins with a block, in their order, until
   /// it says false.
-  void eachPiece(const SourceFile &source, const Reader &reader, uint32_t begin, uint32_t end,
+  void eachPiece(const PieceReader &reader, uint32_t begin, uint32_t end,
                  llvm::function_ref<bool(const TextPiece &)> visit);
+  /// The piece of [begin, end) that begins with the block at `begin`; it holds until the next call.
+  const TextPiece &pieceAt(const PieceReader &reader, uint32_t begin, uint32_t end);
   /// The text has become that of `after`.
   void edit(const TextChange &change, const SourceFile &after);
   void clear();

@@ -110,8 +110,9 @@ ProgramKind kindOfEnding(llvm::StringRef ending, const Dialect &dialect) {
 
 FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect,
                      FileScan *kept)
-    : source_(source), reader_(reader), own_(kept ? nullptr : std::make_unique<FileScan>()),
-      scan_(kept ? *kept : *own_), keeps_(kept) {
+    : source_(source), reader_(reader), pieces_(source, reader, dialect),
+      own_(kept ? nullptr : std::make_unique<FileScan>()), scan_(kept ? *kept : *own_),
+      keeps_(kept) {
   const llvm::StringRef text = source.text();
   const std::string marks = dialect.lexical.headerMarks + '%';
   Block block;
@@ -242,7 +243,7 @@ const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
   Labels &labels = known->second;
   const auto *const quick = dynamic_cast<const QuickReader *>(&reader_);
   if (fresh && (!quick || quick->mayHoldLabels(program.begin, program.end)))
-    scan_.eachPiece(source_, reader_, program.begin, program.end, [&](const auto &piece) {
+    scan_.eachPiece(pieces_, program.begin, program.end, [&](const auto &piece) {
       for (const auto &[key, block] : piece.labels)
         labels[key].push_back(block);
       return true;
@@ -255,7 +256,7 @@ const FileIndex::Definitions &FileIndex::definitions(const ProgramInfo &program)
   const auto [known, fresh] = definitions_.try_emplace(program.begin);
   Definitions &definitions = known->second;
   if (fresh)
-    scan_.eachPiece(source_, reader_, program.begin, program.end, [&](const auto &piece) {
+    scan_.eachPiece(pieces_, program.begin, program.end, [&](const auto &piece) {
       for (const auto &[name, defined] : piece.definitions)
         definitions.try_emplace(name, defined);
       return true;
@@ -267,13 +268,22 @@ void FileIndex::eachBlock(uint32_t begin, uint32_t end,
                           llvm::function_ref<bool(uint32_t, const Block &)> read,
                           llvm::function_ref<bool(const TextPiece &)> pass) const {
   looks_.anywhere = true;
-  scan_.eachPiece(source_, reader_, begin, end, [&](const TextPiece &piece) {
+  scan_.eachPiece(pieces_, begin, end, [&](const TextPiece &piece) {
     if (piece.isPlain && pass(piece))
       return true;
     for (const Block &block : blocks(reader_, piece.begin, piece.end)) {
       if (!read(block.begin, block))
         return false;
     }
+    return true;
+  });
+}
+
+void FileIndex::eachPiece(llvm::function_ref<void(const TextPiece &)> visit) const {
+  const auto end = uint32_t(source_.text().size());
+  looks_.anywhere = true;
+  scan_.eachPiece(pieces_, reader_.first(), end, [&](const TextPiece &piece) {
+    visit(piece);
     return true;
   });
 }

@@ -77,7 +77,15 @@ public:
   void eachBlock(uint32_t begin, uint32_t end,
                  llvm::function_ref<bool(uint32_t at, const Block &)> read,
                  llvm::function_ref<bool(const TextPiece &)> pass) const;
-  /// One of them, or null.
+  /// Calls `visit` for the pieces of the whole text.
+  void eachPiece(llvm::function_ref<void(const TextPiece &)> visit) const;
+  /// The piece of [begin, end) that begins with the block at `begin`, and what it holds; until the
+  /// next call.
+  const TextPiece &pieceAt(uint32_t begin, uint32_t end) const {
+    looks_.anywhere = true;
+    return scan_.pieceAt(pieces_, begin, end);
+  }
+  /// One of the definitions, or null.
   const Defined *definition(const ProgramInfo &program, llvm::StringRef name) const;
   /// Offsets of the lines that hold a tape mark `%` first, ascending.
   llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
@@ -124,6 +132,7 @@ private:
   mutable Looks looks_;
   const SourceFile &source_;
   const Reader &reader_;
+  const PieceReader pieces_;
   std::unique_ptr<FileScan> own_; ///< when nothing is kept
   FileScan &scan_;
   const bool keeps_;

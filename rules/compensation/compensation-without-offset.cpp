@@ -1,5 +1,6 @@
 // Compensation without an offset number, or with an offset that holds no radius.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
@@ -156,7 +157,11 @@ private:
   static bool changesByT(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     bool named = false;
-    for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
+    const auto wants = [&](const TextPiece &piece) {
+      return piece.hasAny(maskOf(letterAddress('T'))) ||
+             piece.mayName(ctx.dialect(), {Action::ToolChange});
+    };
+    for (const Block &block : blocksWhere(ctx.index(), program, wants)) {
       if (findCode(ctx.dialect(), block, {Action::ToolChange}))
         return false;
       named |= block.has(letterAddress('T')) && block.begin < ctx.block().begin;

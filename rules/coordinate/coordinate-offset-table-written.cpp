@@ -2,6 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
@@ -110,7 +111,8 @@ private:
   /// An origin that the program sets to the machine's makes the coordinates the same.
   static bool writesOtherOrigins(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+    for (const Block &block :
+         blocksNaming(ctx.index(), program, ctx.dialect(), {Action::DataInput}))
       if (block.begin != ctx.block().begin && findCode(ctx.dialect(), block, {Action::DataInput}) &&
           llvm::none_of(block.words, [](const Word &word) { return word.has(wordExpression); }))
         return true;

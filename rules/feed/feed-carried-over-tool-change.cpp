@@ -1,6 +1,6 @@
 // The first cut of a tool runs with the feed of the tool before it.
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 
 namespace ncvet {
 namespace {
@@ -50,6 +50,9 @@ private:
           .note(tool, "the tool is called here");
   }
 
+  static constexpr std::initializer_list<Action> cutting = {Action::Linear, Action::ArcCw,
+                                                            Action::ArcCcw, Action::Cycle};
+
   /// At least three other tools of the program have a feed of their own at their first cut, and all
   /// but this one.
   static bool othersHaveTheirOwn(const RuleContext &ctx) {
@@ -58,15 +61,20 @@ private:
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     unsigned own = 0, lacking = 0;
     bool waits = false; // for the first cut of a tool
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+    const AddressMask tool = dialect.toolChangeByT ? maskOf(letterAddress('T')) : 0;
+    const auto wants = [&](const TextPiece &piece) {
+      return piece.hasAny(tool) || (!tool && piece.mayName(dialect, {Action::ToolChange})) ||
+             (waits &&
+              (piece.hasAny(maskOf(letterAddress('F'))) || piece.mayName(dialect, cutting)));
+    };
+    for (const Block &block : blocksWhere(ctx.index(), program, wants)) {
       if (dialect.toolChangeByT ? block.has(letterAddress('T'))
                                 : findCode(dialect, block, {Action::ToolChange}) != nullptr)
         waits = true;
       if (!waits)
         continue;
       const bool feeds = block.has(letterAddress('F'));
-      if (!feeds &&
-          !findCode(dialect, block, {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle}))
+      if (!feeds && !findCode(dialect, block, cutting))
         continue;
       ++(feeds ? own : lacking);
       if (lacking > 1)

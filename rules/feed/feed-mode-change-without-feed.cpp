@@ -2,8 +2,8 @@
 #include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
 #include "analyzer/program/project.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
@@ -139,10 +139,16 @@ private:
   /// What the text of a program states of the unit, in its order.
   const std::vector<Stated> &statedIn(FileId file, const ProgramInfo &program,
                                       const RuleContext &ctx) const {
-    const Reader &reader = ctx.indexOf(file).reader(); // all of the program's text counts
+    const FileIndex &index = ctx.indexOf(file);
+    index.reader(); // all of the program's text counts, read now or before
+    const auto wants = [&](const TextPiece &piece) {
+      return !piece.isPlain || llvm::any_of(piece.codes, [&](CodeIndex code) {
+        return stated(ctx.dialect(), code).has_value();
+      });
+    };
     return units_.of({file, program.body}, [&] {
       std::vector<Stated> units;
-      for (const Block &block : blocks(reader, program.body, program.end)) {
+      for (const Block &block : blocksWhere(index, program, wants)) {
         if (entersProgram(block))
           units.push_back({block.next, noCode});
         for (const Word &word : block.words)
@@ -262,7 +268,9 @@ private:
 
   /// The unit of the feed that a word states, by its own code or by one that resets all.
   static std::optional<CodeIndex> stated(const Dialect &dialect, const Word &word) {
-    const CodeIndex code = codeOf(dialect, word);
+    return stated(dialect, codeOf(dialect, word));
+  }
+  static std::optional<CodeIndex> stated(const Dialect &dialect, CodeIndex code) {
     if (code == noCode)
       return std::nullopt;
     if (dialect.codes[code].group == dialect.group(StandardGroup::FeedMode))

@@ -4,6 +4,7 @@
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
 
@@ -223,7 +224,8 @@ private:
     constexpr unsigned habit = 2; // tools
     unsigned above = 0, below = 0;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+    for (const Block &block :
+         blocksNaming(ctx.index(), program, ctx.dialect(), {Action::LengthPositive}))
       if (comesWithLength(ctx.dialect(), block))
         ++(block.find(letterAddress('Z'))->value() > 0 ? above : below);
     return above >= habit && below == 1;

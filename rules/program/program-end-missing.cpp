@@ -1,5 +1,5 @@
 // A path of the main program reaches the end of the text without an end code.
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -80,7 +80,7 @@ private:
   static bool onlySets(const ProgramInfo &program, const RuleContext &ctx) {
     const AddressMask acts =
         ctx.dialect().axisWords | maskOf(letterAddress('M')) | maskOf(letterAddress('T'));
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+    for (const Block &block : blocksWith(ctx.index(), program, acts))
       if (block.hasAny(acts))
         return false;
     return true;

@@ -1,7 +1,7 @@
 // Constant surface speed without a limit of the spindle's speed.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -61,7 +61,8 @@ private:
   /// The program limits the speed for one of its later tools: no setting of the machine does it.
   static bool isLimitedLater(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    for (const Block &block : blocks(ctx.index().reader(), ctx.block().next, program.end))
+    for (const Block &block :
+         blocksWith(ctx.index(), program, maskOf(letterAddress('S')), ctx.block().next))
       if (limits(block, ctx))
         return true;
     return false;

@@ -1,8 +1,8 @@
 // A cut after rigid tapping, a tool change or an oriented stop, which have stopped the spindle.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
 #include "analyzer/program/project.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -110,11 +110,15 @@ private:
     const auto [entry, fresh] = memory().starts.look().try_emplace(unit.source.id(), false);
     if (!fresh)
       return entry->second;
-    for (const Block &block : blocks(unit.index.reader()))
-      for (const CodeIndex code : codesOf(dialect, block))
-        if (const CodeInfo &info = dialect.codes[code]; info.action == Action::SpindleCw ||
-                                                        info.action == Action::SpindleCcw ||
-                                                        info.spindle == SpindleNeed::StartsItself)
+    const auto starts = [&](CodeIndex code) {
+      const CodeInfo &info = dialect.codes[code];
+      return info.action == Action::SpindleCw || info.action == Action::SpindleCcw ||
+             info.spindle == SpindleNeed::StartsItself;
+    };
+    const auto wants = [&](const TextPiece &piece) { return llvm::any_of(piece.codes, starts); };
+    for (const ProgramInfo &program : unit.index.programs())
+      for (const Block &block : blocksWhere(unit.index, program, wants))
+        if (llvm::any_of(codesOf(dialect, block), starts))
           return entry->second = true;
     return false;
   }
@@ -219,7 +223,12 @@ private:
     const ProgramInfo &program = ctx.index().programAt(change);
     unsigned others = 0;
     bool open = false, isOwn = false, hasSpeed = false;
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+    const auto wants = [&](const TextPiece &piece) {
+      return piece.hasAny(maskOf(letterAddress('S'))) ||
+             piece.mayName(ctx.dialect(),
+                           {Action::ToolChange, Action::SpindleCw, Action::SpindleCcw});
+    };
+    for (const Block &block : blocksWhere(ctx.index(), program, wants)) {
       if (findCode(ctx.dialect(), block, {Action::ToolChange})) {
         if (open && !isOwn)
           return false;

@@ -5,7 +5,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_tool.h"
 #include "analyzer/facts/silent_program.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/tool_data.h"
@@ -239,7 +239,9 @@ private:
   /// A text with neither the word that opens a program nor one that ends it.
   static bool isFragment(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+    for (const Block &block :
+         blocksNaming(ctx.index(), program, ctx.dialect(),
+                      {Action::ProgramHead, Action::ProgramEnd, Action::ProgramEndRewind}))
       if (findCode(ctx.dialect(), block,
                    {Action::ProgramHead, Action::ProgramEnd, Action::ProgramEndRewind}))
         return false;

@@ -1,7 +1,7 @@
 // A spindle without a speed, with none above zero, or with that of the tool before.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -124,7 +124,11 @@ private:
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     unsigned tools = 0;
     bool counted = false;
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+    const auto wants = [&](const TextPiece &piece) {
+      return piece.hasAny(maskOf(letterAddress('S'))) ||
+             piece.mayName(ctx.dialect(), {Action::ToolChange});
+    };
+    for (const Block &block : blocksWhere(ctx.index(), program, wants)) {
       if (findCode(ctx.dialect(), block, {Action::ToolChange}))
         counted = false;
       if (!block.has(letterAddress('S')) || counted ||
@@ -229,7 +233,11 @@ private:
   static bool isSetByHand(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     unsigned starts = 0;
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+    const auto wants = [&](const TextPiece &piece) {
+      return piece.hasAny(maskOf(letterAddress('S'))) ||
+             piece.mayName(ctx.dialect(), {Action::SpindleCw, Action::SpindleCcw});
+    };
+    for (const Block &block : blocksWhere(ctx.index(), program, wants)) {
       if (block.has(letterAddress('S')))
         return false;
       starts += findCode(ctx.dialect(), block, {Action::SpindleCw, Action::SpindleCcw}) != nullptr;
@@ -242,7 +250,7 @@ private:
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     unsigned moves = 0;
     constexpr unsigned enough = 2; // of one a tool may begin to turn on its way
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+    for (const Block &block : blocksWith(ctx.index(), program, maskOf(letterAddress('S')))) {
       moves += block.has(letterAddress('S')) && !block.has(letterAddress('M')) &&
                block.hasAny(ctx.dialect().axisWords);
       if (moves == enough)

@@ -1,10 +1,7 @@
 // A length, angle or feed without a decimal point on a control that may scale such a value.
-#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
-
-#include <cmath>
 
 namespace ncvet {
 namespace {
@@ -64,13 +61,13 @@ public:
     if (places.empty() && memory().others.empty())
       return;
     size_t with = 0, without = 0;
-    for (const Block &block : blocks(file.reader))
-      for (const Word &word : block.words)
-        if (lengths_ & maskOf(word.address) && word.isNumber()) {
-          // (`X10.5` needs its point in any case)
-          with += word.has(wordPoint) && word.value() == std::floor(word.value());
-          without += isPointless(word);
+    file.index.eachPiece([&](const TextPiece &piece) {
+      for (const TextPiece::Points &points : piece.points)
+        if (lengths_ & maskOf(points.address)) {
+          with += points.with; // (`X10.5` needs its point in any case)
+          without += points.without;
         }
+    });
     // Without any points the control counts whole numbers as they are.
     if (without < with || !without)
       for (const SourceRange &place : memory().others)

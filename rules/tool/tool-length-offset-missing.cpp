@@ -3,7 +3,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/retracted_offset.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -122,10 +122,11 @@ private:
 
   /// Whether the file has an H other than 0.
   static bool namesLengths(const RuleContext &ctx) {
-    for (const Block &block : blocks(ctx.index().reader()))
-      if (const Word *const length = block.find(letterAddress('H'));
-          length && length->isNumber() && length->value() != 0)
-        return true;
+    for (const ProgramInfo &program : ctx.index().programs())
+      for (const Block &block : blocksWith(ctx.index(), program, maskOf(letterAddress('H'))))
+        if (const Word *const length = block.find(letterAddress('H'));
+            length && length->isNumber() && length->value() != 0)
+          return true;
     return false;
   }
 

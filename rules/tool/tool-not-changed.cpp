@@ -1,7 +1,7 @@
 // A tool is named, and the program cuts or ends without having changed it in.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/unnamed_tool_change.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 
 namespace ncvet {
 namespace {
@@ -70,7 +70,8 @@ private:
   /// A program that never changes a tool by a code may be for a machine where T does it.
   static bool changesTools(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+    for (const Block &block :
+         blocksNaming(ctx.index(), program, ctx.dialect(), {Action::ToolChange}))
       if (findCode(ctx.dialect(), block, {Action::ToolChange}))
         return true;
     return false;

@@ -1,7 +1,7 @@
 // Work with a tool whose offset is cancelled.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/retracted_offset.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -56,15 +56,16 @@ private:
   static bool isSlip(int32_t tool, const RuleContext &ctx) {
     constexpr unsigned habit = 2; // stations
     unsigned own = 0;
-    for (const Block &block : blocks(ctx.index().reader())) {
-      const Word *const word = block.find(letterAddress('T'));
-      if (!word || !word->isNumber() || word->value() < 100 || word->value() > 9999)
-        continue;
-      const auto whole = int32_t(word->value());
-      if (whole / 100 == tool && whole % 100 != 0)
-        return false;
-      own += whole / 100 == whole % 100;
-    }
+    for (const ProgramInfo &program : ctx.index().programs())
+      for (const Block &block : blocksWith(ctx.index(), program, maskOf(letterAddress('T')))) {
+        const Word *const word = block.find(letterAddress('T'));
+        if (!word || !word->isNumber() || word->value() < 100 || word->value() > 9999)
+          continue;
+        const auto whole = int32_t(word->value());
+        if (whole / 100 == tool && whole % 100 != 0)
+          return false;
+        own += whole / 100 == whole % 100;
+      }
     return own >= habit;
   }
 

@@ -1,6 +1,6 @@
 // An offset number that is not the tool's own.
 #include "analyzer/facts/blocks_ahead.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "formats/dialect/control_facts.h"
 
 #include <set>
@@ -175,7 +175,7 @@ private:
     constexpr size_t habit = 3; // stations
     std::set<int64_t> own;
     for (const ProgramInfo &program : ctx.index().programs())
-      for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      for (const Block &block : blocksWith(ctx.index(), program, maskOf(letterAddress('T')))) {
         const Word *const word = block.find(letterAddress('T'));
         if (!word || !word->isNumber() || word->value() < 100 || word->value() > 9999)
           continue;
@@ -219,7 +219,8 @@ private:
       return known;
     for (const ProgramInfo &program : ctx.index().programs()) {
       int64_t inUse = 0;
-      for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      constexpr AddressMask wanted = maskOf(letterAddress('T')) | maskOf(letterAddress('H'));
+      for (const Block &block : blocksWith(ctx.index(), program, wanted)) {
         if (const Word *tool = block.find(letterAddress('T')); tool && tool->isNumber()) {
           inUse = int64_t(tool->value());
           known.tools.insert(inUse);

@@ -70,10 +70,11 @@ TEST(FileScanTest, AnMCodeMakesLittleOfItsNeighboursUnplain) {
   const auto reader = makeReader(*dialect, text);
   FileScan scan;
   uint64_t plain = 0, others = 0;
-  scan.eachPiece(*source, *reader, 0, uint32_t(text.size()), [&](const TextPiece &piece) {
-    (piece.isPlain ? plain : others) += piece.blocks;
-    return true;
-  });
+  scan.eachPiece(PieceReader(*source, *reader, *dialect), 0, uint32_t(text.size()),
+                 [&](const TextPiece &piece) {
+                   (piece.isPlain ? plain : others) += piece.blocks;
+                   return true;
+                 });
   EXPECT_EQ(plain + others, 1999u);
   EXPECT_LT(others, 6 * 34u);
 }

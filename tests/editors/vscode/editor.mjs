@@ -71,7 +71,15 @@ export class Editor {
     fs.writeFileSync(path.join(this.folder, 'config.yaml'), 'auth: none\ncert: false\n');
     const probe = path.join(this.folder, 'extensions', 'ncvet-test.probe-0.0.1');
     fs.cpSync(path.join(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), 'probe'), probe, { recursive: true });
-    await promisify(execFile)('node', [this.entry, ...this.options, '--install-extension', packed], { timeout: 60000 });
+    const puppeteer = createRequire(path.join(this.modules, 'nothing.js'))('puppeteer-core');
+    [, this.browser] = await Promise.all([
+      promisify(execFile)('node', [this.entry, ...this.options, '--install-extension', packed], { timeout: 60000 }),
+      puppeteer.launch({
+        executablePath: process.env.NCVET_CHROMIUM ?? '/usr/bin/chromium', headless: true,
+        args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage'], defaultViewport: { width: 1280, height: 800 },
+        userDataDir: path.join(this.folder, 'browser'),
+      }),
+    ]);
     const [port, probePort] = [await freePort(), await freePort()];
     this.probe = `http://127.0.0.1:${probePort}/`;
     const log = fs.openSync(path.join(this.folder, 'server.log'), 'w');
@@ -81,12 +89,6 @@ export class Editor {
     });
     const address = `http://127.0.0.1:${port}/`;
     await until('code-server', async () => (await fetch(address, { redirect: 'manual' })).status < 400);
-    const puppeteer = createRequire(path.join(this.modules, 'nothing.js'))('puppeteer-core');
-    this.browser = await puppeteer.launch({
-      executablePath: process.env.NCVET_CHROMIUM ?? '/usr/bin/chromium', headless: true,
-      args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage'], defaultViewport: { width: 1280, height: 800 },
-      userDataDir: path.join(this.folder, 'browser'),
-    });
     this.page = await this.browser.newPage();
     // code-server puts a service worker of its own over all of its address. It takes the frames of views and of pages before
     // their own worker has them, and they stay blank: in VS Code there is none.
@@ -196,18 +198,35 @@ export class Editor {
   async dismiss() {
     await this.ask(`await vscode.commands.executeCommand('notifications.clearAll')`);
   }
-  /** Types into the list or box that is open, and takes what it then has. */
-  async pick(text) {
-    await until('a list', () => this.page.evaluate(() => {
-      const box = document.querySelector('.quick-input-widget');
-      return box && getComputedStyle(box).display !== 'none';
-    }));
-    await sleep(100);
+  /** Types into the box that is open. */
+  async fill(text) {
     await this.page.keyboard.down('Control');
     await this.page.keyboard.press('a');
     await this.page.keyboard.up('Control');
     await this.page.keyboard.type(text);
-    await sleep(200);
+  }
+  /** Whether the list or box that is open takes what is typed. */
+  takesText() {
+    return this.page.evaluate(() => Boolean(document.activeElement?.closest('.quick-input-widget')));
+  }
+  /** Answers the question of a box. */
+  async answer(text) {
+    await until('a box', () => this.takesText());
+    await this.fill(text);
+    await this.page.keyboard.press('Enter');
+  }
+  /** Types into the list that is open until it has the entry, and takes it. */
+  async pick(text) {
+    const isOffered = () => this.page.evaluate((wanted) => {
+      const row = document.querySelector('.quick-input-list .monaco-list-row.focused');
+      return Boolean(row?.textContent.toLowerCase().includes(wanted.toLowerCase()));
+    }, text);
+    const enough = 1000; // ms; what was typed into a list that closes is typed again
+    await until(`a list with ${text}`, async () => {
+      if (!(await this.takesText())) return false;
+      await this.fill(text);
+      return until('its row', isOffered, enough);
+    });
     await this.page.keyboard.press('Enter');
   }
   async shoot(file) {
