@@ -72,8 +72,9 @@ void KnownArcs::keepGeometry(Entry &entry, const Block &block, const Dialect &di
                              const MachineState &after, const ArcGeometry &arc) {
   const ArcWords &words = entry.words_;
   // Where X may be a diameter more than the modes may decide where it is.
-  if (!words.planeKnown || dialect.group(StandardGroup::Diameter) != noGroup || !arc.start ||
-      !arc.end)
+  const bool mayBeDiameter =
+      dialect.group(StandardGroup::Diameter) != noGroup && words.axes[0] == Axis::Z;
+  if (!words.planeKnown || mayBeDiameter || !arc.start || !arc.end)
     return;
   for (Entry::Length *length : {&entry.centre_[0], &entry.centre_[1], &entry.radius_})
     if (const Word *word = wordAt(block, length->word)) {
