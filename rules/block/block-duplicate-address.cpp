@@ -83,7 +83,7 @@ private:
         const SourceRange first = ctx.range(block.items[i]);
         if (auto finding = ctx.report(range))
           finding
-              .message("`{0}` is in the block beside `{1}`: one of them is lost", ctx.text(range),
+              .message("`{0}` is in the block beside `{1}`: only one of them can count", ctx.text(range),
                        ctx.text(first))
               .note(first, "the first of the two");
         return;
@@ -131,7 +131,7 @@ private:
       return;
     const bool same = ctx.text(first) == ctx.text(again);
     finding.message(same ? "`{1}` is in the block twice"
-                         : "`{1}` is in the block beside `{0}`: one of them is lost",
+                         : "`{1}` is in the block beside `{0}`: only one of them can count",
                     ctx.text(first), ctx.text(again));
     finding.note(ctx.range(first), "the first of the two");
     // Of two values only the programmer knows which one is meant.
