@@ -66,8 +66,11 @@ constexpr size_t mostBranches = 16, mostOfALabel = 64;
 
 class ShapeReader {
 public:
-  FlowShape read(const Reader &reader, uint32_t begin, uint32_t end) {
-    for (const Block &block : blocks(reader, begin, end))
+  ShapeReader(const Reader &reader, uint32_t begin, uint32_t end)
+      : reader_(reader), begin_(begin), end_(end) {}
+
+  FlowShape read() {
+    for (const Block &block : blocks(reader_, begin_, end_))
       for (const Item &item : block.items) {
         shape_.branches |= isBranch(item);
         bracket(item, block.begin, block.next);
@@ -139,6 +142,8 @@ private:
       scope_ = ++subprograms_;
       return;
     case Structure::EndSub:
+      if (returnsEarly(next))
+        return;
       scope_ = 0;
       return end(at, next, {Bracket::Sub});
     case Structure::Return:
@@ -166,6 +171,20 @@ private:
   }
 
   bool insideSub() const { return openSubs_ != 0; }
+
+  /// An end of the open subprogram inside one of its brackets is a return when another one follows
+  /// it: a bracket that is left out goes on to its own end, whatever is between.
+  bool returnsEarly(uint32_t next) const {
+    const size_t sub = find({Bracket::Sub});
+    if (sub + 1 >= open_.size())
+      return false;
+    for (const Block &block : blocks(reader_, next, end_))
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Structure && item.label == label_ &&
+            (item.structure == Structure::Sub || item.structure == Structure::EndSub))
+          return item.structure == Structure::EndSub;
+    return false;
+  }
 
   /// Out of the loop with this label, or to its test.
   void leave(uint32_t at, Structure structure) {
@@ -296,6 +315,8 @@ private:
     closeAfter(i);
   }
 
+  const Reader &reader_;
+  const uint32_t begin_, end_;
   FlowShape shape_;
   std::vector<Open> open_;
   /// Indices of the open brackets of each kind and label, the innermost last.
@@ -322,7 +343,7 @@ std::optional<uint32_t> FlowShape::partEntered(uint32_t from, uint32_t target) c
 }
 
 FlowShape readShape(const Reader &reader, uint32_t begin, uint32_t end) {
-  return ShapeReader().read(reader, begin, end);
+  return ShapeReader(reader, begin, end).read();
 }
 
 } // namespace ncvet

@@ -83,8 +83,8 @@ private:
         const SourceRange first = ctx.range(block.items[i]);
         if (auto finding = ctx.report(range))
           finding
-              .message("`{0}` is in the block beside `{1}`: only one of them can count", ctx.text(range),
-                       ctx.text(first))
+              .message("`{0}` is in the block beside `{1}`: only one of them can count",
+                       ctx.text(range), ctx.text(first))
               .note(first, "the first of the two");
         return;
       }

@@ -48,7 +48,7 @@ public:
         nearCut(event, ctx);
       return;
     }
-    if (isFedClear(ctx) || (ctx.dialect().isLathe() && isForGang(ctx)))
+    if (isFedClear(ctx) || isStillHome(ctx) || (ctx.dialect().isLathe() && isForGang(ctx)))
       return;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding.message(
@@ -72,6 +72,25 @@ private:
         return isPlain(block) && block.has(letterAddress('Z')) &&
                !block.hasAny((ctx.dialect().axisWords | ctx.dialect().incrementWords) &
                              ~maskOf('Z'));
+    return false;
+  }
+
+  /// What has moved since the way home (`G28 U0`, then `W0` in a block of its own) went nowhere.
+  static bool isStillHome(const RuleContext &ctx) {
+    const AddressMask ways = ctx.dialect().incrementWords;
+    BlocksBefore before(ctx);
+    Block block;
+    while (before.next(block) && isPlain(block)) {
+      if (findCode(ctx.dialect(), block, {Action::ReferenceReturn}))
+        return true;
+      const bool stays =
+          !block.hasAny(ctx.dialect().axisWords & ~ways) &&
+          llvm::all_of(block.words, [&](const Word &word) {
+            return !(maskOf(word.address) & ways) || (word.isNumber() && word.mantissa == 0);
+          });
+      if (!stays || (!block.hasAny(ways) && !onlySwitches(ctx.dialect(), block)))
+        return false;
+    }
     return false;
   }
 

@@ -24,6 +24,10 @@ public:
           !isVacant(word, ctx))
         continue;
       if (ctx.callDepth() == 0) {
+        // Whoever calls a subprogram without a macro call hands its own variables on.
+        const uint32_t begin = ctx.index().programAt(ctx.block().begin).begin;
+        if (returning_.of({ctx.source().id(), begin}, [&] { return endsByReturn(ctx); }))
+          return;
         if (auto finding = ctx.report(word))
           finding.message("the variable of `{0}` was never set: the control leaves the word out "
                           "and the axis stays",
@@ -39,6 +43,18 @@ public:
   }
 
 private:
+  /// Whether the first block of the current program that ends it for good returns to a caller.
+  static bool endsByReturn(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      if (findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind}))
+        return false;
+      if (block.items.empty() && findCode(ctx.dialect(), block, {Action::Return}))
+        return true;
+    }
+    return false;
+  }
+
   /// The operation that reads the variable of `X#1` or `X-#1`; null for another expression.
   static const ExpressionOp *variableOf(const Word &word, const Block &block) {
     const Expression &e = block.expressions[size_t(word.mantissa)];
@@ -107,6 +123,8 @@ private:
 
   /// By program and variable: no call gives it.
   TextAnswers<std::pair<std::pair<FileId, uint32_t>, uint32_t>, bool> answers_;
+  /// By program: it returns.
+  TextAnswers<std::pair<FileId, uint32_t>, bool> returning_;
 };
 
 } // namespace

@@ -36,6 +36,15 @@ constexpr const char *mill = "G21 G17 G40 G49 G80 G90 G94\nT1 M06\nG54 G00 X0. Y
                              "G43 H01 Z50.\n";
 constexpr const char *lathe = "O0001\nG21 G40 G97 G99\nT0101\nG50 S2000\n";
 
+TEST(NearSilence, TheLimitOfTheSpindleMayFollowTheSurfaceSpeedAtOnce) {
+  EXPECT_THAT(loud("haas-ngc-lathe", "O01021\nG20 G40 G80 G99\nT101\nG97 S1200 M03\nG00 X1. Z.1\n"
+                                     "G96 S400\nG50 S3000\nG01 X-.03 F.008\nG00 Z.1\nM30\n"),
+              IsEmpty());
+  EXPECT_THAT(loud("haas-ngc-lathe", "O01021\nG20 G40 G80 G99\nT101\nG97 S1200 M03\nG00 X1. Z.1\n"
+                                     "G96 S400\nG01 X-.03 F.008\nG50 S3000\nG00 Z.1\nM30\n"),
+              ElementsAre("6 spindle-css-without-clamp"));
+}
+
 TEST(NearSilence, UnitsOfAnArchiveThatHoldDataAreNoPrograms) {
   const char *archive = "%_N_SHAFT_COM\n;$PATH=/_N_COM_DIR\n//M(mask1/\"title\"/)\n"
                         "DEF VAR1=(R///10/)\nLOAD\n//END\n"

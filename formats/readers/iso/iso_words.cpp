@@ -81,6 +81,7 @@ void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
   Word word;
   word.address = address;
   word.offset = offset(begin);
+  const char *const afterName = at_;
   skipBlanks();
   if (lexical_.incrementOperator && at_ + 1 < end_ && (*at_ | 32) == 'i' &&
       (isNumberDigit(at_[1]) || at_[1] == '-' || at_[1] == '+' || at_[1] == '.')) {
@@ -102,7 +103,7 @@ void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
       return issue(SyntaxIssueKind::BadExpression, begin, at_);
     return append(word);
   }
-  at_ = begin + (*begin == ',' ? 2 : 1);
+  at_ = afterName;
   word.flags |= wordNoValue;
   word.length = lengthFrom(begin);
   issue(SyntaxIssueKind::MissingValue, begin, at_);
@@ -132,17 +133,19 @@ bool IsoScanner::opensOperand(const char *p) const {
   return p < end_ && (isNumberDigit(*p) || *p == '.' || *p == '*' || opensExpression(p));
 }
 
-/// `,R2` and its like; elsewhere a comma is no character of the language.
+/// `,R2` and its like, also with blanks (`, R 2`); elsewhere a comma is no character of the
+/// language.
 void IsoScanner::scanComma() {
   const char *const begin = at_++;
-  const char letter = at_ < end_ ? char(*at_ & ~32) : '\0';
+  const char *const name = afterBlanks(at_);
+  const char letter = name < end_ ? char(*name & ~32) : '\0';
   const AddressId address = letter == 'A'   ? commaA
                             : letter == 'C' ? commaC
                             : letter == 'R' ? commaR
                                             : noAddress;
   if (address == noAddress)
     return issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
-  ++at_;
+  at_ = name + 1;
   scanWord(address, begin);
 }
 

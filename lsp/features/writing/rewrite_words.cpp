@@ -101,7 +101,10 @@ std::string codeDigits(const CodeInfo &code, llvm::StringRef old) {
 llvm::StringRef digitsOf(llvm::StringRef text, const Block &block, const Word &word,
                          const Dialect &dialect) {
   const llvm::StringRef whole = text.slice(word.offset, block.endOf(word)).rtrim(" \t");
-  llvm::StringRef value = whole.drop_front(dialect.addressName(word.address).size()).ltrim(" \t");
+  llvm::StringRef value = whole;
+  for (size_t i = dialect.addressName(word.address).size(); i > 0; --i) // `, R 2` is `,R2`
+    value = value.ltrim(" \t").drop_front();
+  value = value.ltrim(" \t");
   if (value.startswith("="))
     value = value.drop_front().ltrim(" \t");
   return value;
