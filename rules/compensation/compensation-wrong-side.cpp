@@ -8,6 +8,7 @@
 #include "interp/evaluate/tool_data.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ncvet {
 namespace {
@@ -220,7 +221,7 @@ private:
   }
 
   /// A closed contour that the tool comes to from outside, and leaves to outside, at one depth, and
-  /// along which it is kept inside: it cuts through the contour on both ways.
+  /// along which it is kept inside, or the other way round: it cuts through it on both ways.
   bool throughContour(const Memory::Entry &entry, const CodeInfo &code, const Event &event,
                       RuleContext &ctx) const {
     constexpr unsigned longest = 200; // elements
@@ -231,6 +232,11 @@ private:
     Outline outline;
     outline.add(entry.to);
     outline.add(pointOf(ctx.after(), ctx.dialect()));
+    const bool firstIsLine = event.motion == MotionKind::Feed;
+    Action last = Action::Linear;
+    bool turnsCw = event.motion == MotionKind::ArcCw, turnsCcw = event.motion == MotionKind::ArcCcw;
+    std::optional<ContourElement> circle =
+        firstIsLine ? std::nullopt : wholeCircle(executedBlock(ctx));
     PathAhead ahead(ctx);
     for (unsigned i = 0; i < longest && ahead.next(); ++i) {
       const ExecutedBlock move = ahead.executed();
@@ -238,52 +244,131 @@ private:
       if (!to[0].isConstant() || !to[1].isConstant() || !(move.after.at(Axis::Z) == depth))
         return false;
       if (move.after.compensation == phaseOn) {
+        last = move.after.activeAction(ctx.dialect(), StandardGroup::Motion);
+        turnsCw |= last == Action::ArcCw;
+        turnsCcw |= last == Action::ArcCcw;
+        if (!circle && isArc(last))
+          circle = wholeCircle(move);
         outline.add(to);
         continue;
       }
-      const double inside = outline.area() * (code.action == Action::CompensationLeft ? 1 : -1);
-      if (!outline.isClosed(tolerance) || outline.holds(entry.from) || outline.holds(to) ||
-          inside < tolerance || inside < 0.1 * outline.boxArea())
+      if (firstIsLine && last == Action::Linear)
+        outline.closeAtCrossing();
+      // Where no arc goes into the outline its corners hold nothing that lies outside of it.
+      const bool left = code.action == Action::CompensationLeft;
+      const bool isHollow = outline.area() > 0 ? turnsCw : turnsCcw;
+      const bool inside = circle ? circle->clockwise != left : (outline.area() > 0) == left;
+      const bool crosses = circle   ? liesOther(*circle, inside, entry.from, to)
+                           : inside ? !outline.boxHolds(entry.from) && !outline.boxHolds(to)
+                                    : !isHollow && outline.holds(entry.from) && outline.holds(to);
+      if (!crosses || (!circle && !outline.isClosedArea(tolerance)))
         return false;
       const Origin &origin = ctx.after().origin.of(StatePart::Compensation);
       if (auto finding = ctx.report(causePlace(ctx, origin, entry.block).at, event.certain))
         finding
-            .message("`{0}` keeps the tool inside of this closed contour, and it comes from "
-                     "outside and leaves to outside: it cuts through the contour",
-                     code.name)
+            .message("`{0}` keeps the tool {1} of this closed contour, and it comes from {2} and "
+                     "leaves to {2}: it cuts through the contour",
+                     code.name, inside ? "inside" : "outside", inside ? "outside" : "inside")
             .note(ahead.range(), "here it leaves");
       return true;
     }
     return false;
   }
 
+  /// The whole turn that the block makes; none: it makes no such.
+  static std::optional<ContourElement> wholeCircle(const ExecutedBlock &move) {
+    constexpr double tolerance = 1e-3; // mm
+    const auto element = contourElementOf(move);
+    return element && element->arc && (element->from - element->to).norm() < tolerance
+               ? element
+               : std::nullopt;
+  }
+
+  /// Whether both points lie on the other side of the circle than the tool is kept on.
+  static bool liesOther(const ContourElement &circle, bool inside, const Memory::Point &from,
+                        const Memory::Point &to) {
+    const auto isInside = [&](const Memory::Point &point) {
+      return (Vector(point[0].lo, point[1].lo) - circle.centre).norm() < circle.radius();
+    };
+    return isInside(from) != inside && isInside(to) != inside;
+  }
+
   /// Corners of a contour in the plane, arcs by their ends.
   class Outline {
   public:
-    void add(const Memory::Point &point) {
-      const Vector at(point[0].lo, point[1].lo);
-      if (!corners_.empty())
-        area_ += 0.5 * (corners_.back().x() * at.y() - at.x() * corners_.back().y());
-      low_ = corners_.empty() ? at : Vector(low_.cwiseMin(at));
-      high_ = corners_.empty() ? at : Vector(high_.cwiseMax(at));
-      corners_.push_back(at);
+    void add(const Memory::Point &point) { corners_.emplace_back(point[0].lo, point[1].lo); }
+
+    /// The first and the last element, lines both, go on past the corner at which they meet: the
+    /// contour begins and ends there. Where they lie on one line it does so at the first corner.
+    void closeAtCrossing() {
+      if (corners_.size() < 5 || isClosed(0))
+        return;
+      const Vector start = corners_[0], end = corners_.back();
+      const Vector first = corners_[1] - start, last = end - corners_[corners_.size() - 2];
+      const double turn = cross(first, last), scale = first.norm() * last.norm();
+      if (std::fabs(turn) > 1e-6 * scale) {
+        const Vector between = corners_[corners_.size() - 2] - start;
+        const double onFirst = cross(between, last) / turn, onLast = cross(between, first) / turn;
+        if (onFirst < 0 || onFirst > 1 || onLast < 0 || onLast > 1)
+          return;
+        corners_.front() = corners_.back() = start + onFirst * first;
+      } else if (std::fabs(cross(end - start, first)) <= 1e-6 * scale && first.dot(last) > 0 &&
+                 (end - start).dot(first) >= 0 &&
+                 (corners_[corners_.size() - 2] - start).dot(first) >= 0 &&
+                 (corners_[1] - end).dot(first) >= 0) {
+        corners_.front() = end;
+      }
     }
+
     bool isClosed(double tolerance) const {
       return corners_.size() > 3 && (corners_.front() - corners_.back()).norm() <= tolerance;
     }
-    /// Positive: counter-clockwise.
-    double area() const { return area_; }
-    double boxArea() const { return (high_ - low_).prod(); }
-    /// Whether its box does.
+    /// Whether it is, and what it holds is no sliver.
+    bool isClosedArea(double tolerance) const {
+      const double area = std::fabs(this->area());
+      return isClosed(tolerance) && area >= tolerance && area >= 0.1 * boxArea();
+    }
+    /// Of a closed one; positive: counter-clockwise.
+    double area() const {
+      double area = 0;
+      for (size_t i = 1; i < corners_.size(); ++i)
+        area += 0.5 * cross(corners_[i - 1], corners_[i]);
+      return area;
+    }
+    double boxArea() const { return (high() - low()).prod(); }
+    /// Whether the point lies between the corners.
     bool holds(const Memory::Point &point) const {
-      return point[0].lo >= low_.x() && point[0].lo <= high_.x() && point[1].lo >= low_.y() &&
-             point[1].lo <= high_.y();
+      const Vector at(point[0].lo, point[1].lo);
+      bool inside = false;
+      for (size_t i = 1; i < corners_.size(); ++i) {
+        const Vector from = corners_[i - 1] - at, to = corners_[i] - at;
+        if ((from.y() > 0) != (to.y() > 0) && (cross(from, to) > 0) == (to.y() > from.y()))
+          inside = !inside;
+      }
+      return inside;
+    }
+    /// Whether it lies in the box about them.
+    bool boxHolds(const Memory::Point &point) const {
+      const Vector low = this->low(), high = this->high();
+      return point[0].lo >= low.x() && point[0].lo <= high.x() && point[1].lo >= low.y() &&
+             point[1].lo <= high.y();
     }
 
   private:
+    Vector low() const {
+      Vector low = corners_.front();
+      for (const Vector &corner : corners_)
+        low = low.cwiseMin(corner);
+      return low;
+    }
+    Vector high() const {
+      Vector high = corners_.front();
+      for (const Vector &corner : corners_)
+        high = high.cwiseMax(corner);
+      return high;
+    }
+
     std::vector<Vector> corners_;
-    Vector low_, high_;
-    double area_ = 0;
   };
 
   /// A mill that comes from beside the first element has to come from the side on which it stays.

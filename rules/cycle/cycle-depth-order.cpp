@@ -1,6 +1,7 @@
 // The levels of a drilling cycle lie in the wrong order: start, R, depth.
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
@@ -113,8 +114,36 @@ private:
       nothingBetween(event, code, levels, ctx);
     else if (levels.level() < levels.depth())
       belowDepth(event, code, levels, ctx);
-    else
+    else if (!belowZero(event, code, levels, ctx))
       startsBelow(event, code, levels, ctx);
+  }
+
+  /// R lies below zero, where other cycles of the program have the same number above it.
+  static bool belowZero(const Event &event, const CodeInfo &code, const Levels &levels,
+                        RuleContext &ctx) {
+    const Interval &from = ctx.after().initialLevel;
+    if (levels.r >= 0 || levels.word.address != letterAddress('R') || !levels.word.isNumber() ||
+        !event.certain || event.kind != EventKind::CycleStart || ctx.dialect().isLathe() ||
+        !from.isConstant() || from.value() <= 0 || !ctx.after().frames.empty() ||
+        !isAboveElsewhere(levels.r, ctx))
+      return false;
+    if (auto finding = ctx.report(levels.word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` lies below zero, and another cycle of the program has R{1}: `{2}` goes "
+                   "that far in at rapid before it drills",
+                   ctx.text(levels.word), shortNumber(-levels.r), code.name);
+    return true;
+  }
+
+  static bool isAboveElsewhere(double level, const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      const Word *const r = block.find(letterAddress('R'));
+      if (r && r->isNumber() && r->value() == -level &&
+          findCode(ctx.dialect(), block, {Action::Cycle}))
+        return true;
+    }
+    return false;
   }
 
   /// Letter of the depth in another plane, where the cycle's own is a coordinate of the hole; 0: it

@@ -80,7 +80,11 @@ public:
     tapping.at = word ? ctx.range(*word) : named ? ctx.range(*named) : ctx.blockRange();
     const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
     if (unstated && hasSpeed(ctx)) {
-      if (!isNeither(tapping.feed, ctx) || !perMinute(event, tapping, ctx))
+      // Neither by the minute nor by the turn.
+      const bool fitsNone = isNeither(tapping.feed, ctx) ||
+                            (tapping.pitch && tapping.isOff(tapping.feed, 0, 0) &&
+                             tapping.isOff(tapping.feed / state.speed->value(), 0, 0));
+      if (!fitsNone || !perMinute(event, tapping, ctx))
         laterHole(event, tapping, ctx);
     } else if (mode == Action::FeedPerRevolution)
       perRevolution(event, tapping, ctx);

@@ -29,6 +29,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
+    if (ctx.block().has(letterAddress('F')) && withoutCode(event, ctx))
+      return;
     if (lathe_) {
       towardsChuck(event, ctx);
       return alongWork(event, ctx);
@@ -88,6 +90,40 @@ private:
       finding.message("this rapid move ends {0} inside the stock, along the tool: it goes into "
                       "the work at full speed",
                       shortLength(ctx, *stock.max[axis] - to.value()));
+  }
+
+  /// A feed in a block that says no motion, while a rapid is in force; and the next one either has
+  /// a feed too, or goes back to rapid moves, as if it had to: G01 is missing.
+  bool withoutCode(const Event &event, RuleContext &ctx) const {
+    const MachineState &before = ctx.before();
+    if (!event.certain || ctx.block().has(letterAddress('G')) || memory().feedsRapids ||
+        event.inMachineCoordinates() || before.may(Fact::UnknownCode) || before.modalCalls ||
+        before.profile != ProfileMode::Off ||
+        before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Rapid ||
+        !before.originOf(ctx.dialect(), StandardGroup::Motion).known() || !isFedOrRapid(event, ctx))
+      return false;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("this move has a feed, and a rapid move is in force: the tool is not fed, it "
+                   "goes at full speed")
+          .note(before.originOf(ctx.dialect(), StandardGroup::Motion), "by this code");
+    return true;
+  }
+
+  /// Whether the next block moves by a feed of its own, or by a code for rapid moves.
+  bool isFedOrRapid(const Event &event, const RuleContext &ctx) const {
+    BlocksAhead ahead(ctx);
+    Block next;
+    if (!ahead.next(next) || !next.items.empty() || !namesAxes(ctx.dialect(), next))
+      return false;
+    if (!next.has(letterAddress('G')))
+      return next.has(letterAddress('F'));
+    // A mill may set its feed on the first way in the air.
+    if (!lathe_ && !(event.axes >> unsigned(Axis::Z) & 1))
+      return false;
+    return !next.has(letterAddress('F')) && findCode(ctx.dialect(), next, {Action::Rapid}) &&
+           !findCode(ctx.dialect(), next,
+                     {Action::MachineMove, Action::ReferenceReturn, Action::Incremental});
   }
 
   /// A mill: down to below zero, and then home, to the next tool or to the end, with nothing done

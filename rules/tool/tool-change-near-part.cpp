@@ -3,6 +3,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/program_tools.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/project.h"
 #include "formats/text/number_text.h"
@@ -19,7 +20,10 @@ struct ToolChangeNearPartMemory {
 
 class ToolChangeNearPart final : public StatefulRule<ToolChangeNearPartMemory> {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::ToolChange); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::ToolChange);
+    homeFirst_ = to.flag("homeFirst");
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
@@ -40,6 +44,8 @@ public:
     const int32_t is = before.tool, becomes = ctx.after().tool;
     if (is != notSet && is == becomes) // nothing turns
       return;
+    if (!atOnce && homeFirst_)
+      return withoutHome(event, ctx);
     if (!atOnce || !before.must(Fact::Cut) || ctx.find({Action::ReferenceReturn}))
       return; // (the way home is in the block)
     if (before.may(Fact::AwayFromPart)) {
@@ -57,6 +63,30 @@ public:
   }
 
 private:
+  ProgramTools tools_;
+  bool homeFirst_ = false; ///< a mill does not go to its change position by itself
+
+  /// A mill's tool that is changed where it has worked, and all others go home first.
+  void withoutHome(const Event &event, RuleContext &ctx) const {
+    constexpr unsigned habit = 3; // tools
+    const MachineState &before = ctx.before();
+    const Interval &z = before.at(Axis::Z);
+    const ToolPart *const tool = tools_.inUse(ctx);
+    if (!tool || tool->home || !tool->follows || !event.certain || ctx.callDepth() > 0 ||
+        !before.must(Fact::CutSinceTool) || before.may(Fact::UnknownCode) ||
+        before.may(Fact::AtMachinePosition) || before.inMachineCoordinates(Axis::Z) ||
+        !z.isConstant() || tool->begin != ctx.block().begin ||
+        !tools_.allButOne(
+            ctx, habit, [](const ToolPart &part) { return part.follows; },
+            [](const ToolPart &part) { return part.home; }))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "the tool is changed {0} above zero, where it has worked: all other changes of "
+          "the program come after a way home",
+          shortLength(ctx, z.value()));
+  }
+
   /// On a lathe the last move was one in Z alone, out of the part and clear of its face: G01 was
   /// still in force, and nothing was cut.
   static bool isFedClear(const RuleContext &ctx) {
