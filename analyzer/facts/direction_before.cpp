@@ -44,11 +44,17 @@ bool keepsCoordinates(const Dialect &dialect, const Block &block) {
 
 class TextBefore {
 public:
-  TextBefore(const RuleContext &ctx, std::array<Axis, 2> axes) : ctx_(ctx), axes_(axes) {}
+  TextBefore(const RuleContext &ctx, std::array<Axis, 2> axes) : ctx_(ctx), axes_(axes) {
+    for (size_t i = 0; i < 2; ++i) {
+      const Interval share = shareOfDiameter(dialect(), ctx.before(), axes[i], Truth::No);
+      isKnown_ &= share.isConstant();
+      shares_[i] = share.lo / dialect().lengthsPerUnit(axes[i]);
+    }
+  }
 
   /// Reads back to the last move, and to the coordinates of its ends.
   bool read() {
-    bool more = readPrevious(ctx_, move_);
+    bool more = isKnown_ && readPrevious(ctx_, move_);
     while (more && isPlain(dialect(), move_) && keepsCoordinates(dialect(), move_) &&
            !axesOf(dialect(), move_))
       more = readBack(ctx_, move_);
@@ -81,12 +87,14 @@ private:
         const AddressInfo &address = dialect().addresses[word.address];
         if (address.kind == AddressKind::Axis && address.axis == axes_[i] && word.isNumber() &&
             !written.at[i])
-          written.at[i] = word.value() / dialect().lengthsPerUnit(axes_[i]);
+          written.at[i] = word.value() * shares_[i];
       }
   }
 
   const RuleContext &ctx_;
   const std::array<Axis, 2> axes_;
+  std::array<double, 2> shares_{1, 1}; ///< millimetres of a coordinate, by its reading
+  bool isKnown_ = true;
   Block move_;
   Written start_, end_;
 };

@@ -45,9 +45,10 @@ const Event *moveInPlane(const ExecutedBlock &executed) {
   const Dialect &dialect = executed.dialect;
   const MachineState &before = executed.before, &after = executed.after;
   const uint16_t plane = planeAxes(dialect, after);
-  // A control that mills and turns may read X as a diameter there.
+  // A control that mills and turns may read X as a diameter there, unless the program says it.
   if (!dialect.isLathe() && dialect.group(StandardGroup::Diameter) != noGroup &&
-      planeOrder(dialect, after)[0] == Axis::Z)
+      planeOrder(dialect, after)[0] == Axis::Z &&
+      after.active(dialect, StandardGroup::Diameter) & groupUnset)
     return nullptr;
   if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) ||
       before.profile == ProfileMode::Recorded || before.may(Fact::UnknownCode) ||

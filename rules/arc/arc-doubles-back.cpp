@@ -42,6 +42,8 @@ public:
     if (event.code == noCode || !event.certain || !ctx.codeWord(event) || words.foreign ||
         words.angle || words.hasCentre() == (words.radius != nullptr))
       return sleepInShape();
+    if (words.radius && words.radius->isNumber() && words.radius->value() < 0)
+      return byNegativeRadius(event, ctx);
     if (words.radius)
       return byRadius(event, ctx);
     if (!ctx.block().hasAny(planeWords(ctx)))
@@ -145,6 +147,33 @@ private:
       memory().joins |= end.dot(after) > smooth;
     else if (turned(end).dot(after) > smooth && memory().turned.size() < 2)
       memory().turned[{ctx.source().id(), ctx.block().begin}] = ctx.blockRange();
+  }
+
+  /// An arc of more than half a turn, which its sign makes it, that would join both neighbours
+  /// smoothly without the sign.
+  static void byNegativeRadius(const Event &event, RuleContext &ctx) {
+    if (ctx.before().may(Fact::UnknownCode))
+      return;
+    const auto arc = contourElementOf(executedBlock(ctx));
+    const auto before = arc && arc->arc ? directionBefore(ctx) : std::nullopt;
+    if (!before)
+      return;
+    const Vector chord = (arc->to - arc->from).normalized();
+    const auto shorter = [&](const Vector &at) {
+      return Vector(-turnedAbout(chord, arc->direction(at)));
+    };
+    if (shorter(arc->from).dot(*before) <= smooth)
+      return;
+    PathAhead ahead(ctx);
+    const auto next = ahead.next() ? contourElementOf(ahead.executed()) : std::nullopt;
+    if (!next || shorter(arc->to).dot(next->direction(next->from)) <= smooth)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("the sign makes this arc of `{0}` the longer one, with a corner at both of its "
+                   "ends: without it the arc joins both neighbours smoothly",
+                   ctx.code(event).name)
+          .note(ahead.range(), "the next element");
   }
 
   /// The way where an arc over that chord, a vector of length one, is turned the other way round.
