@@ -106,6 +106,12 @@ private:
   /// D is length and radius: with D0 the tool has none.
   void withoutEdge(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.before();
+    if (isRetractOfWork(event, ctx)) {
+      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+        finding.message("D0 takes the length of the tool off, and this height is one of the work: "
+                        "the other retracts of the file with D0 are in machine coordinates");
+      return;
+    }
     const bool cuts = event.kind == EventKind::CycleRun ||
                       (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
     const bool empty = ctx.after().tool == 0;
@@ -131,6 +137,35 @@ private:
       if (event.kind == EventKind::Motion)
         finding.severity(Severity::Warning);
     }
+  }
+
+  /// A rapid move along the tool with D0 in its block, to a height of the work, where all others of
+  /// the file go to one of the machine.
+  static bool isRetractOfWork(const Event &event, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Axis tool = toolAxis(ctx.dialect(), state);
+    if (event.kind != EventKind::Motion || event.motion != MotionKind::Rapid ||
+        event.inMachineCoordinates() || !(event.axes >> unsigned(tool) & 1) ||
+        !isWithoutEdge(ctx.block()) || ctx.before().radiusOffset == 0 || state.tool == 0 ||
+        ctx.find({Action::ToolChange}) || state.may(Fact::UnknownCode))
+      return false;
+    constexpr unsigned habit = 2; // retracts
+    unsigned others = 0;
+    for (const ProgramInfo &program : ctx.index().programs())
+      for (const Block &block : blocksWith(ctx.index(), program, maskOf(letterAddress('D')))) {
+        if (block.begin == ctx.block().begin || !isWithoutEdge(block) ||
+            !axesOf(ctx.dialect(), block))
+          continue;
+        if (!findCode(ctx.dialect(), block, {Action::MachineMove}))
+          return false;
+        ++others;
+      }
+    return others >= habit;
+  }
+
+  static bool isWithoutEdge(const Block &block) {
+    const Word *const edge = block.find(letterAddress('D'));
+    return edge && edge->isNumber() && edge->value() == 0;
   }
 
   /// A retract switched the edge of the tool before off: the change has brought the new one's

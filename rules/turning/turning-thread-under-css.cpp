@@ -19,7 +19,8 @@ public:
     const MachineState &state = ctx.after();
     const bool cycle = event.kind == EventKind::CycleRun;
     const bool thread =
-        cycle ? cutsThread(code.cycle) || taps(code.cycle) : event.motion == MotionKind::Thread;
+        cycle ? cutsThread(code.cycle) || code.cycle == CycleKind::ThreadChain || taps(code.cycle)
+              : event.motion == MotionKind::Thread;
     if (!thread && !mayDrill(event, code, ctx))
       return sleepInShape();
     if (!thread && !isOnAxis(state))
