@@ -3,6 +3,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/mode_reliance.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/callers.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
@@ -84,7 +85,9 @@ private:
     for (unsigned i = 0; i < dialect.groups.size(); ++i) {
       const GroupInfo &group = dialect.groups[i];
       if (!(watched_ >> i & 1) || GroupIndex(i) == dialect.group(StandardGroup::WorkOffset) ||
-          group.initial == 0xFF || !own(state.origin.ofGroup(i)))
+          group.initial == 0xFF || !own(state.origin.ofGroup(i)) ||
+          (GroupIndex(i) == dialect.group(StandardGroup::Distance) &&
+           saysEachTime(ctx.index(), program, ctx)))
         continue;
       for (size_t member = 0; member < group.members.size(); ++member)
         if (member != group.initial && state.group(i) == uint64_t(1) << member) {
@@ -110,6 +113,38 @@ private:
                     llvm::join(left, " and "));
     for (const Origin &origin : origins)
       finding.note(origin, "switched on here");
+  }
+
+  /// Whether each move of the program says itself whether it is absolute or incremental, and either
+  /// some are the one and some the other or they are several: whoever writes so relies on no mode
+  /// that is left on.
+  static bool saysEachTime(const FileIndex &index, const ProgramInfo &program,
+                           const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    constexpr unsigned habit = 4; // moves
+    unsigned absolute = 0, incremental = 0;
+    for (const Block &block : blocks(index, program.body, program.end)) {
+      if ((!axesOf(dialect, block) && !findCode(dialect, block, {Action::Rapid, Action::Linear})) ||
+          findCode(dialect, block, {Action::MachineMove}))
+        continue;
+      const bool isAbsolute = findCode(dialect, block, {Action::Absolute}) != nullptr;
+      const bool isIncremental = findCode(dialect, block, {Action::Incremental}) != nullptr;
+      if (isAbsolute == isIncremental)
+        return false;
+      absolute += isAbsolute;
+      incremental += isIncremental;
+    }
+    return (absolute && incremental) || incremental >= habit;
+  }
+
+  static bool saysEachTime(const SourceRange &where, const RuleContext &ctx) {
+    const FileIndex &index = ctx.indexOf(where.file);
+    return saysEachTime(index, index.programAt(where.begin), ctx);
+  }
+
+  static bool isReliedOn(const ModeChanges &changes, const RuleContext &ctx) {
+    SourceRange user;
+    return firstReliance(ctx, changes, user).any();
   }
 
   /// `SAVE`: the caller gets its modes back.
@@ -180,7 +215,9 @@ private:
   static void atCause(const ModeChanges &changes, RuleContext &ctx) {
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i) {
       const Origin &origin = ctx.after().origin.ofGroup(i);
-      if (!(changes.groups >> i & 1) || !origin.known())
+      if (!(changes.groups >> i & 1) || !origin.known() ||
+          (GroupIndex(i) == ctx.dialect().group(StandardGroup::Distance) &&
+           saysEachTime(origin.range(), ctx) && !isReliedOn(changes, ctx)))
         continue;
       if (auto finding = ctx.report(origin.range()))
         finding

@@ -93,9 +93,10 @@ private:
                    text.slice(block.begin, end));
   }
 
-  /// The first descent of a program. Numbers that something refers to are labels, not an order.
+  /// The first descent of a program. Numbers that something refers to are labels, not an order. A
+  /// label may begin a row of its own, as in a profile, after which the row before it goes on.
   static void ascending(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
-    const NumberedBlock *last = nullptr;
+    const NumberedBlock *last = nullptr, *outer = nullptr, *label = nullptr;
     const bool phases = ctx.dialect().keyword(":N") != noCode;
     DataSections data(program, file.reader, ctx.dialect());
     for (const NumberedBlock &block : file.index.numbersAsWritten(program)) {
@@ -106,11 +107,19 @@ private:
       if (descends && !begins) {
         if (isLabel(block, file) || data.holds(block.offset))
           continue;
-        if (!data.holds(last->offset))
+        const bool goesOn =
+            label && block.number < label->number && (!outer || block.number > outer->number);
+        if (!data.holds(last->offset) && !goesOn)
           return report(*last, block, file, ctx);
+        label = nullptr;
       }
-      if (!file.usedNumbers.empty() && isLabel(block, file))
+      if (!file.usedNumbers.empty() && isLabel(block, file)) {
+        if (!label) {
+          outer = last;
+          label = &block;
+        }
         continue;
+      }
       last = &block;
     }
   }
