@@ -36,7 +36,7 @@ PAGES = [
     ("rulesets/REFERENCE.md", "Tables: every key"),
     ("CHANGELOG.md", "Changes"),
 ]
-MARK = re.compile(r"^[\s(;'\"]*\^[\s^]*(expect:|$)|^[\s(;'\"]*(\^+\s*)+expect:|^\s*[(;'\"]?\s*[\^ ]+\s*expect:.*$")
+MARK = re.compile(r"^\s*[(;'\"]?\s*\^[\^\d\s-]*expect:")
 FENCE = re.compile(r"^```nc (\S+) (wrong|right)[^\n]*\n(.*?)^```$", re.M | re.S)
 SLUG = re.compile(r"[^\w\- ]")
 

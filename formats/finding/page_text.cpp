@@ -101,13 +101,14 @@ void dropEmptySections(std::vector<PagePiece> &pieces) {
   }
 }
 
-/// `( ^^^ expect: definite)`: tells a test what is reported in the line above.
+/// `( ^^^ expect: definite)`: tells a test what is reported in the line above, or with `^-1` in one
+/// further up.
 bool isTestMark(llvm::StringRef line) {
   line = line.ltrim();
   if (line.empty() || !llvm::StringRef("(;'\"").contains(line.front()))
     return false;
   line = line.drop_front().ltrim();
-  return line.startswith("^") && line.ltrim('^').startswith(" expect:");
+  return line.startswith("^") && line.ltrim("^-0123456789").startswith(" expect:");
 }
 
 /// The head of a program, "```nc CONTROL wrong machine={...}", as people need it: its section says

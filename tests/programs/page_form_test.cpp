@@ -135,6 +135,8 @@ TEST(PageForReaders, HasNoMarksOfTestsAndNoPlacesOfManuals) {
   EXPECT_EQ(forReaders("## Wrong\n\n```nc ecs wrong\nG1 X1\n' ^^ expect: definite\nM30\n```\n\n"
                        "Source: ECS manual, lines 2009-2014.\n"),
             "## Wrong\n\n```nc ecs\nG1 X1\nM30\n```\n\n");
+  EXPECT_EQ(forReaders("```nc sinumerik wrong\nG1\nM0\n;^-1 expect: definite\n```\n"),
+            "```nc sinumerik\nG1\nM0\n```\n");
   EXPECT_EQ(forReaders("```nc ecs right machine={\"options\": {}}\nG1 X1\n```\n"),
             "With the machine profile `{\"options\": {}}`:\n\n```nc ecs\nG1 X1\n```\n");
 }
