@@ -2,6 +2,7 @@
 #include "formats/finding/page_text.h"
 
 #include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/Twine.h"
 
 namespace ncvet {
 

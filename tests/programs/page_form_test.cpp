@@ -28,8 +28,8 @@ TEST(RulePageForm, EveryPageHasTheSameSectionsInTheSameOrder) {
     std::vector<std::string> due = {"What it reports", "Why it matters at the machine", "Wrong",
                                     "Right"};
     if (!page.options.empty())
-      due.push_back("Options");
-    due.push_back("Limits");
+      due.emplace_back("Options");
+    due.emplace_back("Limits");
     EXPECT_EQ(due, sectionsOf(page.body)) << entry.info.id.str();
   }
 }

@@ -42,7 +42,7 @@ inline std::vector<std::string> hardWords(llvm::StringRef page) {
   std::vector<std::string> found;
   for (const char *word : {" behind ", " in front of ", " stands ", " at hand "})
     if (prose.find(word) != std::string::npos)
-      found.push_back(word);
+      found.emplace_back(word);
   return found;
 }
 
@@ -68,7 +68,7 @@ inline std::vector<std::string> hardNames(llvm::StringRef source) {
   std::vector<std::string> found;
   for (const char *word : {" behind ", " in front ", " stands ", " at hand "})
     if (words.find(word) != std::string::npos)
-      found.push_back(word);
+      found.emplace_back(word);
   return found;
 }
 
