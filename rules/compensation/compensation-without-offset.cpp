@@ -1,5 +1,6 @@
 // Compensation without an offset number, or with an offset that holds no radius.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"

@@ -1,6 +1,7 @@
 // A spindle without a speed, with none above zero, or with that of the tool before.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
