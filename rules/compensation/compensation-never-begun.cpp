@@ -1,6 +1,7 @@
 // The end of a compensation that nothing has begun.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/text_answers.h"
 
 #include <array>
 
@@ -34,19 +35,19 @@ public:
   }
 
 private:
-  /// The block before cuts in the plane.
+  /// The block before cuts in the plane, and this one does nothing else than end the compensation:
+  /// a row of safe modes may be in any block.
   static bool endsContour(const RuleContext &ctx) {
     constexpr AddressMask plane = maskOf(letterAddress('X')) | maskOf(letterAddress('Y'));
     Block before;
-    return readPrevious(ctx, before) && before.hasAny(plane) && before.items.empty();
+    return onlyMoves(ctx.block(), ctx) && readPrevious(ctx, before) && before.hasAny(plane) &&
+           before.items.empty() && !findCode(ctx.dialect(), before, {Action::CompensationOff});
   }
 
-  /// Whether no code of the block but those of moves and lengths may have taken its D.
-  static bool onlyMoves(const Origin &given, const RuleContext &ctx) {
+  /// Whether the G codes of the block are those of moves, lengths and the compensation's end.
+  static bool onlyMoves(const Block &block, const RuleContext &ctx) {
     constexpr std::array harmless{Action::Linear, Action::Rapid, Action::LengthPositive,
-                                  Action::Absolute};
-    Block block;
-    ctx.index().read(given.begin, block);
+                                  Action::Absolute, Action::CompensationOff};
     return llvm::all_of(block.words, [&](const Word &word) {
       if (word.address != letterAddress('G'))
         return true;
@@ -56,14 +57,24 @@ private:
   }
 
   /// The tool has a D of its own, or other contours of the program are compensated.
-  static bool isMeant(const RuleContext &ctx) {
+  bool isMeant(const RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     const Origin &given = before.origin.of(StatePart::RadiusOffset);
     const Origin &tool = before.origin.of(StatePart::Tool);
     if (before.radiusOffset > 0 && given.known() && tool.known() && given.file == tool.file &&
-        given.begin > tool.begin && given.file == ctx.source().id() && onlyMoves(given, ctx))
-      return true;
+        given.begin > tool.begin && given.file == ctx.source().id()) {
+      Block block;
+      ctx.index().read(given.begin, block);
+      if (onlyMoves(block, ctx)) // no other code may have taken its D
+        return true;
+    }
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    return compensates_.of({ctx.source().id(), program.begin},
+                           [&] { return compensates(program, ctx); });
+  }
+
+  /// Every run of the program comes by the same blocks, and some of them compensate.
+  static bool compensates(const ProgramInfo &program, const RuleContext &ctx) {
     bool compensates = false;
     for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
       if (block.skip >= 0 || !block.items.empty())
@@ -73,6 +84,8 @@ private:
     }
     return compensates;
   }
+
+  TextAnswers<std::pair<FileId, uint32_t>, bool> compensates_; ///< by program
 };
 
 } // namespace
