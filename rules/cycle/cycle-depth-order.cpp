@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 
@@ -74,7 +75,7 @@ private:
   };
 
   /// Levels that are words of the cycle.
-  static void levels(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+  void levels(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     const Block &block = ctx.block();
     const Word *rWord = wordOf(block, code, Role::Retract);
     const Word *zWord = wordOf(block, code, Role::Depth);
@@ -119,13 +120,13 @@ private:
   }
 
   /// R lies below zero, where other cycles of the program have the same number above it.
-  static bool belowZero(const Event &event, const CodeInfo &code, const Levels &levels,
-                        RuleContext &ctx) {
+  bool belowZero(const Event &event, const CodeInfo &code, const Levels &levels,
+                 RuleContext &ctx) const {
     const Interval &from = ctx.after().initialLevel;
     if (levels.r >= 0 || levels.word.address != letterAddress('R') || !levels.word.isNumber() ||
         !event.certain || event.kind != EventKind::CycleStart || ctx.dialect().isLathe() ||
         !from.isConstant() || from.value() <= 0 || !ctx.after().frames.empty() ||
-        !isAboveElsewhere(levels.r, ctx))
+        !isKnownAbove(levels.r, ctx))
       return false;
     if (auto finding = ctx.report(levels.word))
       finding.severity(Severity::Warning)
@@ -133,6 +134,14 @@ private:
                    "that far in at rapid before it drills",
                    ctx.text(levels.word), shortNumber(-levels.r), code.name);
     return true;
+  }
+
+  /// By program and level: whether another cycle has it above zero.
+  TextAnswers<std::pair<std::pair<FileId, uint32_t>, double>, bool> above_;
+  bool isKnownAbove(double level, const RuleContext &ctx) const {
+    const uint32_t program = ctx.index().programAt(ctx.block().begin).begin;
+    return above_.of({{ctx.source().id(), program}, level},
+                     [&] { return isAboveElsewhere(level, ctx); });
   }
 
   static bool isAboveElsewhere(double level, const RuleContext &ctx) {
