@@ -84,6 +84,15 @@ TEST(Bounds, AProgramOfManyToolChangesIsFollowedToItsEnd) {
         << dialect;
 }
 
+TEST(Bounds, AProgramOfManyCyclesBelowZeroIsFollowedToItsEnd) {
+  const std::string drilled = "G98 G81 X1. Y0. Z-5. R-1. F100.\nG80\n";
+  for (const char *dialect : {"fanuc-mill", "haas-mill"})
+    EXPECT_TRUE(check(dialect, "%\nO1\nG21 G90 G54 S1000 M3\nT1 M6\nG43 H1 Z50.\n" +
+                                   repeat(drilled, 10'000) + "M30\n%\n")
+                    .complete)
+        << dialect;
+}
+
 TEST(Bounds, AProgramOfManyFeedModesIsFollowedToItsEnd) {
   constexpr unsigned changes = 1'500;
   const std::string cut = "G94\nX80 F120\nZ2\nG95\nX20\nG0 Z100\nG1 Z-4\n";
