@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,15 +75,18 @@ inline std::optional<std::filesystem::path> nodeModules(const std::filesystem::p
 }
 
 /// What a script has said in its log: `done` at its end, and before that a line for each thing that
-/// went wrong. How long its steps took is said by lines that begin with `took`.
+/// went wrong. How long its steps took is said by lines that begin with `took`, which are printed.
 inline void expectDone(const std::filesystem::path &log) {
   llvm::SmallVector<llvm::StringRef, 64> lines;
   const std::string said = contentsOf(log);
   llvm::StringRef(said).split(lines, '\n', -1, /*KeepEmpty=*/false);
   EXPECT_TRUE(llvm::is_contained(lines, "done")) << said;
-  for (const llvm::StringRef line : lines)
-    if (line != "done" && !line.startswith("took "))
+  for (const llvm::StringRef line : lines) {
+    if (line.startswith("took "))
+      std::cout << line.str() << '\n';
+    else if (line != "done")
       ADD_FAILURE() << line.str();
+  }
 }
 
 } // namespace ncvet::test

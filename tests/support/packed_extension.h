@@ -15,7 +15,7 @@ inline const std::filesystem::path extensionFolder =
 
 /// What an extension is packed with beside its client.
 enum class PackedServer : uint8_t {
-  None,
+  None,     ///< all is checked that is checked before publishing
   Program,  ///< ncvet itself, in a package for this platform
   InBrowser ///< the WebAssembly module of `./dev package npm`, and no client for Node
 };
@@ -41,12 +41,19 @@ packExtension(const std::filesystem::path &folder, const std::filesystem::path &
   for (const char *made : {"bin", "dist", "node_modules", "schema", "server"})
     fs::remove_all(copy / made);
   fs::create_directory_symlink(*modules, copy / "node_modules");
+  auto manifest = nlohmann::ordered_json::parse(contentsOf(copy / "package.json"));
   if (server == PackedServer::InBrowser) {
     fs::create_directory_symlink(fs::path(places::sourceFolder()) / "build", folder / "build");
-    auto manifest = nlohmann::ordered_json::parse(contentsOf(copy / "package.json"));
     manifest.erase("main");
-    std::ofstream(copy / "package.json") << manifest.dump(2);
   }
+  // The types are the same in each package, and to check them takes longest: once is enough.
+  if (server != PackedServer::None) {
+    auto &script = manifest["scripts"]["vscode:prepublish"];
+    const std::string all = script, first = "npm run check && ";
+    EXPECT_EQ(all.rfind(first, 0), 0u) << all;
+    script = all.substr(first.size());
+  }
+  std::ofstream(copy / "package.json") << manifest.dump(2);
   std::vector<std::string> command = {"npm", "--prefix", copy.string(), "run", "package"};
   if (server == PackedServer::Program) {
     command.insert(command.begin(), {"env", "NCVET_PROGRAM=" + places::program()});
@@ -54,7 +61,6 @@ packExtension(const std::filesystem::path &folder, const std::filesystem::path &
   }
   if (runOuter(command, log, 300) != 0)
     return std::nullopt;
-  const auto manifest = nlohmann::json::parse(contentsOf(copy / "package.json"));
   const std::string name =
       server == PackedServer::Program ? std::string("ncvet-") + platform : "ncvet";
   return copy / (name + "-" + manifest["version"].get<std::string>() + ".vsix");

@@ -1,6 +1,7 @@
 // Drives VS Code through what a user does: `node drive.mjs PLAN.json`. The plan names `modules`, `ncvet`, `packed` (the
-// extension), `folder` (empty, for all that is written) and `pictures`, a folder for a picture of each step; `only` chooses
-// steps by their names. What went wrong is printed, a line each, and how long each step took; the last line is `done`.
+// extension), `folder` (empty, for all that is written) and perhaps `pictures`, a folder for a picture of each step; `only` chooses
+// steps by their names. Without a folder for pictures there are those of what went wrong. That is printed, a line each, and how long
+// each step took; the last line is `done`.
 import fs from 'node:fs';
 import path from 'node:path';
 import { Editor } from './editor.mjs';
@@ -8,7 +9,8 @@ import { prepare, steps } from './steps.mjs';
 
 const plan = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
 const editor = new Editor(plan.folder, plan.modules);
-fs.mkdirSync(plan.pictures, { recursive: true });
+const pictures = plan.pictures ?? path.join(plan.folder, 'pictures');
+fs.mkdirSync(pictures, { recursive: true });
 
 // The messages to the server are kept: one step looks at what the editor has asked for.
 const messages = path.join(plan.folder, 'messages');
@@ -16,12 +18,7 @@ const wrapper = path.join(plan.folder, 'ncvet-with-messages');
 fs.writeFileSync(wrapper, `#!/bin/sh\nexec tee -a '${messages}' | '${plan.ncvet}' "$@"\n`, { mode: 0o755 });
 fs.writeFileSync(messages, '');
 
-editor.settings({
-  'ncvet.path': wrapper, 'workbench.startupEditor': 'none', 'workbench.tips.enabled': false, 'telemetry.telemetryLevel': 'off',
-  'security.workspace.trust.enabled': false, 'extensions.ignoreRecommendations': true, 'window.commandCenter': false,
-  'files.autoSave': 'off', 'git.enabled': false, 'typescript.tsserver.enabled': false, 'editor.minimap.enabled': false,
-  'workbench.secondarySideBar.defaultVisibility': 'hidden', 'chat.commandCenter.enabled': false, 'editor.accessibilitySupport': 'off',
-});
+editor.settings({ 'ncvet.path': wrapper });
 prepare(editor);
 
 const began = Date.now();
@@ -31,12 +28,14 @@ try {
   for (const [name, run] of Object.entries(steps)) {
     if (plan.only && !new RegExp(plan.only).test(name)) continue;
     const start = Date.now();
+    let picture = Boolean(plan.pictures);
     try {
       await run(editor, { ...plan, messages, wrapper });
     } catch (error) {
       console.log(`${name}: ${error.message}`);
+      picture = true;
     }
-    await editor.shoot(path.join(plan.pictures, name.replace(/\W+/g, '-') + '.png')).catch(() => {});
+    if (picture) await editor.shoot(path.join(pictures, name.replace(/\W+/g, '-') + '.png')).catch(() => {});
     console.log(`took ${Date.now() - start} ms: ${name}`);
     await editor.page.keyboard.press('Escape');
     await editor.dismiss().catch(() => {});

@@ -1,10 +1,9 @@
 // VS Code for the test: code-server with the packed extension and the probe, and a browser that shows it.
-import { execFile, spawn } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import net from 'node:net';
 import path from 'node:path';
-import { promisify } from 'node:util';
 
 const patience = 60000; // ms that anything may take, on a machine with much else to do
 const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
@@ -12,7 +11,7 @@ const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 /** Waits until `look` gives something true; `what` is said when it never does. */
 export async function until(what, look, milliseconds = patience) {
   const end = Date.now() + milliseconds;
-  let last;
+  let last, pause = 20;
   for (;;) {
     try {
       const found = await look();
@@ -22,7 +21,8 @@ export async function until(what, look, milliseconds = patience) {
       last = error;
     }
     if (Date.now() > end) throw new Error(`waited in vain for ${what}${last ? ': ' + last : ''}`);
-    await sleep(50);
+    await sleep(pause);
+    pause = Math.min(200, pause * 1.5);
   }
 }
 
@@ -33,6 +33,16 @@ const freePort = () =>
       server.close(() => resolve(port));
     });
   });
+
+/** Without what costs time and is not looked at. */
+const quiet = {
+  'workbench.startupEditor': 'none', 'workbench.tips.enabled': false, 'workbench.reduceMotion': 'on', 'workbench.enableExperiments': false,
+  'telemetry.telemetryLevel': 'off', 'security.workspace.trust.enabled': false, 'extensions.ignoreRecommendations': true,
+  'extensions.autoCheckUpdates': false, 'remote.autoForwardPorts': false, 'git.enabled': false, 'typescript.tsserver.enabled': false,
+  'editor.minimap.enabled': false, 'editor.cursorBlinking': 'solid', 'files.autoSave': 'off', 'window.commandCenter': false,
+  'chat.commandCenter.enabled': false, 'chat.disableAIFeatures': true, 'workbench.secondarySideBar.defaultVisibility': 'hidden',
+  'editor.accessibilitySupport': 'off',
+};
 
 export class Editor {
   /** `folder`: where all of it is, given back by the one who calls. */
@@ -58,7 +68,7 @@ export class Editor {
     for (const of of ['User', 'Machine']) {
       const file = path.join(this.folder, 'user', of, 'settings.json');
       fs.mkdirSync(path.dirname(file), { recursive: true });
-      fs.writeFileSync(file, JSON.stringify(settings, null, 2));
+      fs.writeFileSync(file, JSON.stringify({ ...quiet, ...settings }, null, 2));
     }
   }
 
@@ -72,14 +82,11 @@ export class Editor {
     const probe = path.join(this.folder, 'extensions', 'ncvet-test.probe-0.0.1');
     fs.cpSync(path.join(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), 'probe'), probe, { recursive: true });
     const puppeteer = createRequire(path.join(this.modules, 'nothing.js'))('puppeteer-core');
-    [, this.browser] = await Promise.all([
-      promisify(execFile)('node', [this.entry, ...this.options, '--install-extension', packed], { timeout: 60000 }),
-      puppeteer.launch({
-        executablePath: process.env.NCVET_CHROMIUM ?? '/usr/bin/chromium', headless: true,
-        args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage'], defaultViewport: { width: 1280, height: 800 },
-        userDataDir: path.join(this.folder, 'browser'),
-      }),
-    ]);
+    const browser = puppeteer.launch({
+      executablePath: process.env.NCVET_CHROMIUM ?? '/usr/bin/chromium', headless: true,
+      args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage'], defaultViewport: { width: 1280, height: 800 },
+      userDataDir: path.join(this.folder, 'browser'),
+    });
     const [port, probePort] = [await freePort(), await freePort()];
     this.probe = `http://127.0.0.1:${probePort}/`;
     const log = fs.openSync(path.join(this.folder, 'server.log'), 'w');
@@ -89,6 +96,7 @@ export class Editor {
     });
     const address = `http://127.0.0.1:${port}/`;
     await until('code-server', async () => (await fetch(address, { redirect: 'manual' })).status < 400);
+    this.browser = await browser;
     this.page = await this.browser.newPage();
     // code-server puts a service worker of its own over all of its address. It takes the frames of views and of pages before
     // their own worker has them, and they stay blank: in VS Code there is none.
@@ -100,6 +108,9 @@ export class Editor {
     });
     await this.page.goto(`${address}?folder=${this.workspace}`);
     await until('the probe', () => this.ask('return true'));
+    // As a user installs a package from a file; no second editor has to be started for it.
+    await this.ask(`await vscode.commands.executeCommand('workbench.extensions.installExtension', vscode.Uri.file(${JSON.stringify(packed)}))`);
+    await until('the extension', () => this.ask(`return vscode.extensions.getExtension('ncvet.ncvet')?.isActive`));
   }
 
   async stop() {
@@ -195,6 +206,29 @@ export class Editor {
       }, button),
     );
   }
+  /** All messages that are shown until `notedToasts`, those that have gone again too. */
+  noteToasts() {
+    return this.page.evaluate(() => {
+      const noted = new Set();
+      const observer = new MutationObserver(() =>
+        document.querySelectorAll('.notifications-toasts .notification-list-item-message').forEach((one) => noted.add(one.textContent)));
+      observer.observe(document.body, { subtree: true, childList: true });
+      globalThis.notedToasts = () => {
+        observer.disconnect();
+        return [...noted];
+      };
+    });
+  }
+  notedToasts() {
+    return this.page.evaluate(() => globalThis.notedToasts());
+  }
+  /** Puts the cursor, which the page learns of a little later. */
+  async cursor(line, character) {
+    await this.page.click('.monaco-editor .view-lines');
+    await this.ask(`const at = new vscode.Position(${line}, ${character}); vscode.window.activeTextEditor.selection = new vscode.Selection(at, at)`);
+    await until('the cursor', async () =>
+      (await this.text('.statusbar-item[id="status.editor.selection"]'))?.includes(`Ln ${line + 1}, Col ${character + 1}`));
+  }
   async dismiss() {
     await this.ask(`await vscode.commands.executeCommand('notifications.clearAll')`);
   }
@@ -203,7 +237,7 @@ export class Editor {
     await this.page.keyboard.down('Control');
     await this.page.keyboard.press('a');
     await this.page.keyboard.up('Control');
-    await this.page.keyboard.type(text);
+    await this.page.keyboard.sendCharacter(text);
   }
   /** Whether the list or box that is open takes what is typed. */
   takesText() {
@@ -233,4 +267,3 @@ export class Editor {
     await this.page.screenshot({ path: file });
   }
 }
-export { sleep };

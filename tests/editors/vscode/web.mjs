@@ -7,8 +7,10 @@ import { drilling } from './steps.mjs';
 
 const plan = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
 const editor = new Editor(plan.folder, plan.modules);
-fs.mkdirSync(plan.pictures, { recursive: true });
-editor.settings({ 'workbench.startupEditor': 'none', 'security.workspace.trust.enabled': false, 'telemetry.telemetryLevel': 'off', 'files.autoSave': 'off' });
+const pictures = plan.pictures ?? path.join(plan.folder, 'pictures');
+fs.mkdirSync(pictures, { recursive: true });
+editor.settings({});
+const began = Date.now();
 editor.write('O0100.nc', drilling.map((line) => line.replace('N60 X30.', 'N60 M98 P0200')));
 editor.write('O0200.nc', ['%', 'O0200 (SUB)', 'N10 X20. Y20.', 'N20 T2 M06', 'N30 M99', '%']);
 
@@ -31,15 +33,16 @@ try {
   if (after.what !== 'change') throw new Error(`not the changed stretch alone was sent: ${after.what}`);
   const view = await editor.view('#tool-path');
   await until('the drawing', () => view.evaluate(() => globalThis.ncvet.pathPane.corners > 0));
-  await editor.shoot(path.join(plan.pictures, 'path-in-a-browser.png'));
+  await editor.shoot(path.join(pictures, 'path-in-a-browser.png'));
   await editor.command('ncvet.explainRule');
   await until('the text of a page', () => editor.ask(`return vscode.workspace.textDocuments.some((one) =>
     one.uri.scheme === 'ncvet-rule' && one.getText().includes('Why it matters at the machine')) ||
     vscode.window.tabGroups.all.flatMap((group) => group.tabs).some((tab) => /Preview/.test(tab.label))`));
-  await editor.shoot(path.join(plan.pictures, 'in-a-browser.png'));
+  await editor.shoot(path.join(pictures, 'in-a-browser.png'));
 } catch (error) {
   console.log(`in a browser: ${error.message}`);
 } finally {
   await editor.stop();
 }
+console.log(`took ${Date.now() - began} ms: all of it`);
 console.log('done');
