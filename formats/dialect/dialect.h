@@ -228,6 +228,17 @@ struct DetectMark {
 struct ToolRadiusSource {
   std::string variable;  ///< "$TC_DP6[{tool},{edge}]", "_RADIUS[{offset}]"; empty: nowhere
   std::string allowance; ///< variable with a stock that is added to it; empty: none
+
+  /// One of the variables that `variable` names: what is asked for often is worked out once.
+  struct Place {
+    std::string name;
+    uint64_t key = 0;           ///< of the name, of a list's before its bracket
+    bool isList = false;        ///< `_RADIUS[...]`
+    bool isPlain = true;        ///< it names no field
+    std::vector<uint64_t> keys; ///< by the number of its only field; those beyond are worked out
+  };
+  std::vector<Place> places;
+  uint64_t allowanceKey = 0;
 };
 
 /// Value of an option of a rule: a number, 1 and 0 for true and false, or one of the option's

@@ -29,8 +29,31 @@ void DialectBuilder::build() {
   readInto(*this, root_, dialectRecord, dialect_);
   summarizeAddresses();
   summarizeCodes();
+  summarizeToolRadius();
   if (!failed())
     readInitialStates();
+}
+
+/// The keys of the variables that hold the radius of a tool.
+void DialectBuilder::summarizeToolRadius() {
+  constexpr unsigned usual = 100; // numbers of tools and offsets
+  ToolRadiusSource &source = dialect_.toolRadius;
+  source.places.clear();
+  source.allowanceKey = variableKey(source.allowance);
+  llvm::SmallVector<llvm::StringRef, 2> names;
+  llvm::StringRef(source.variable).split(names, '|', -1, /*KeepEmpty=*/false);
+  for (const llvm::StringRef name : names) {
+    ToolRadiusSource::Place &place = source.places.emplace_back();
+    place.name = name.str();
+    place.isList = name.contains('[');
+    place.isPlain = !name.contains('{');
+    place.key = variableKey(name.split('[').first);
+    const auto [before, from] = name.split('{');
+    const llvm::StringRef after = from.split('}').second;
+    if (!place.isPlain && !after.contains('{'))
+      for (unsigned number = 0; number < usual; ++number)
+        place.keys.push_back(variableKey((before + llvm::Twine(number) + after).str()));
+  }
 }
 
 /// What the codes say of the control as a whole.

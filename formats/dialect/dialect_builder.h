@@ -70,6 +70,7 @@ public:
 private:
   void summarizeAddresses();
   void summarizeCodes();
+  void summarizeToolRadius();
   void showVariables();
   void readInitialStates();
   std::optional<size_t> switchIndex(const Json &at, llvm::StringRef id);

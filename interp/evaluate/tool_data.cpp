@@ -9,27 +9,33 @@ namespace ncvet {
 
 namespace {
 
-/// "$TC_DP6[{tool},{edge}]" with the numbers of `state`; empty when one is not known.
-std::string radiusVariable(llvm::StringRef source, const Dialect &dialect,
-                           const MachineState &state) {
+/// The number that a field of a variable's name has; below 0: it is not known.
+int32_t numberFor(llvm::StringRef field, const Dialect &dialect, const MachineState &state) {
+  const int32_t offset = radiusOffsetNumber(dialect, state);
+  const bool given = offset != notSet;
+  return field == "tool" || (field == "offsetOrTool" && !given) ? state.tool.get()
+         : field == "edge" && !given                            ? 1 // a tool's first one
+                                                                : offset;
+}
+
+/// The key of "$TC_DP6[{tool},{edge}]" with the numbers of `state`; none when one is not known.
+std::optional<uint64_t> keyIn(const ToolRadiusSource::Place &place, const Dialect &dialect,
+                              const MachineState &state) {
   std::string name;
-  for (llvm::StringRef rest = source; !rest.empty();) {
+  for (llvm::StringRef rest = place.name; !rest.empty();) {
     const auto [before, from] = rest.split('{');
-    name += before;
     const auto [field, after] = from.split('}');
     rest = after;
-    if (field.empty())
-      continue;
-    const int32_t offset = radiusOffsetNumber(dialect, state);
-    const bool given = offset != notSet;
-    const int32_t number = field == "tool" || (field == "offsetOrTool" && !given) ? state.tool.get()
-                           : field == "edge" && !given ? 1 // a tool's first one
-                                                       : offset;
+    const int32_t number = field.empty() ? 0 : numberFor(field, dialect, state);
     if (number < 0)
-      return {};
-    name += std::to_string(number);
+      return std::nullopt;
+    if (size_t(number) < place.keys.size()) // it is the only field
+      return place.keys[size_t(number)];
+    name += before;
+    if (!field.empty())
+      name += std::to_string(number);
   }
-  return name;
+  return variableKey(name);
 }
 
 /// What a program has set a radius to.
@@ -38,18 +44,19 @@ struct SetRadius {
   std::optional<double> radius; ///< mm; none: not known
 };
 
-/// The radius in the variable of `source`.
-SetRadius radiusIn(llvm::StringRef source, const Dialect &dialect, const MachineState &state) {
-  const bool ofList = source.contains('[');
-  if (ofList && state.commons.given(variableKey(source.split('[').first)) != Truth::No)
+/// The radius in the variable.
+SetRadius radiusIn(const ToolRadiusSource::Place &place, const Dialect &dialect,
+                   const MachineState &state) {
+  if (place.isList && state.commons.given(place.key) != Truth::No)
     return {true, std::nullopt}; // some of them was set, it is not known which one
-  const std::string name = radiusVariable(source, dialect, state);
-  const uint64_t key = variableKey(name);
-  if (name.empty() || state.commons.given(key) == Truth::No)
+  const std::optional<uint64_t> key =
+      place.isPlain && !place.isList ? std::optional(place.key) : keyIn(place, dialect, state);
+  if (!key || state.commons.given(*key) == Truth::No)
     return {};
-  const Value value = state.commons.get(key);
+  const Value value = state.commons.get(*key);
   const bool inch = state.activeAction(dialect, StandardGroup::Units) == Action::Inch;
-  if (!value.isConstant() || (inch && ofList)) // in which unit it was set is not kept
+  // In which unit one of a list was set is not kept.
+  if (!value.isConstant() || (inch && place.isList))
     return {true, std::nullopt};
   return {true, value.number.value() * (inch ? millimetresPerInch : 1)};
 }
@@ -86,7 +93,7 @@ const ToolData *toolInUse(const MachineProfile &machine, const MachineState &sta
 namespace {
 /// The stock, in mm, that is added to the radius; none: not known.
 std::optional<double> allowanceOf(const Dialect &dialect, const MachineState &state) {
-  const uint64_t key = variableKey(dialect.toolRadius.allowance);
+  const uint64_t key = dialect.toolRadius.allowanceKey;
   if (dialect.toolRadius.allowance.empty() || state.commons.given(key) == Truth::No)
     return 0;
   const Value value = state.commons.get(key);
@@ -95,14 +102,10 @@ std::optional<double> allowanceOf(const Dialect &dialect, const MachineState &st
 
 std::optional<double> radiusOfTool(const Dialect &dialect, const MachineProfile &machine,
                                    const MachineState &state) {
-  const ToolRadiusSource &source = dialect.toolRadius;
-  if (!source.variable.empty() && !state.commons.empty()) {
-    llvm::SmallVector<llvm::StringRef, 2> variables;
-    llvm::StringRef(source.variable).split(variables, '|');
-    for (const llvm::StringRef variable : variables)
-      if (const SetRadius found = radiusIn(variable, dialect, state); found.set)
+  if (!state.commons.empty())
+    for (const ToolRadiusSource::Place &place : dialect.toolRadius.places)
+      if (const SetRadius found = radiusIn(place, dialect, state); found.set)
         return found.radius;
-  }
   const ToolData *tool = compensatingTool(dialect, machine, state);
   return tool ? tool->radius : std::nullopt;
 }
