@@ -113,13 +113,12 @@ void checkArguments(FlowRun &run, const Step &step, const Callee &callee, const 
 void bindPositions(const Block &block, const Item &call, const MachineState &caller,
                    MachineState &state) {
   const llvm::ArrayRef<Argument> given = block.argumentsOf(call);
-  for (uint64_t i = 1; i <= uint64_t(state.ranges.lastLocal); ++i) {
-    state.locals.set(i, i <= given.size()
-                            ? evaluate(block, given[i - 1].expression, caller, nullptr)
-                            : Value::of(0));
-  }
-  state.commons.set(sharedVariableKey("_value"), Value::of(0));
-  state.commons.set(sharedVariableKey("_value_returned"), Value::of(0));
+  llvm::SmallVector<Value, 32> values(size_t(state.ranges.lastLocal), Value::of(0));
+  for (size_t i = 0; i < std::min(given.size(), values.size()); ++i)
+    values[i] = evaluate(block, given[i].expression, caller, nullptr);
+  state.locals = Variables::numbered(values);
+  state.commons.set(givenBackKey(), Value::of(0));
+  state.commons.set(isGivenBackKey(), Value::of(0));
 }
 
 void bindArguments(const Callee &callee, llvm::ArrayRef<GivenArgument> given,

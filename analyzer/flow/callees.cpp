@@ -54,9 +54,14 @@ std::optional<Callee> Callees::find(const Step &step) {
 std::optional<Callee> Callees::named(const Step &step, const Item &item, Callee callee) {
   const FileUnit &unit = step.unit();
   const Flow &flow = step.outcome.flow;
+  const uint64_t place = uint64_t(unit.source.id()) << 32 | item.nameBegin;
+  const bool hasName = item.nameEnd > item.nameBegin;
+  if (hasName && item.positional)
+    if (const auto known = bracketed_.find(place); known != bracketed_.end())
+      return known->second;
   std::string name = unit.source.text(item.nameBegin, item.nameEnd).str();
   SourceRange range{unit.source.id(), item.nameBegin, item.nameEnd};
-  if (name.empty()) {
+  if (!hasName) {
     range = step.flowRange();
     if (!flow.target.isConstant()) // the value of a variable is the name
       return missing(FlowIssue::ComputedTarget, step, range);
@@ -65,8 +70,11 @@ std::optional<Callee> Callees::named(const Step &step, const Item &item, Callee 
   run_.used.names.insert(llvm::StringRef(name).upper());
   if (!item.positional)
     return external(step, item, name, range, callee);
-  if (findBracketed(callee, name))
+  if (findBracketed(callee, name)) {
+    if (hasName)
+      bracketed_.try_emplace(place, callee);
     return callee;
+  }
   // Whoever calls this subprogram may lie elsewhere, and have what it calls beside it.
   if (run_.callerUnknown)
     return std::nullopt;

@@ -43,6 +43,8 @@ private:
   }
 
   FlowRun &run_;
+  /// By file and place of the name: subprograms between brackets that were found.
+  llvm::DenseMap<uint64_t, Callee> bracketed_;
 };
 
 } // namespace ncvet

@@ -182,7 +182,8 @@ void RegionRun::learnAgain(Live &live) {
   modes_ = 0;
   const bool calculates = kept_->calculation && calculated_;
   if (run_.inFull || lives_.size() != 1 || before_.seeksBranch ||
-      (!calculates && !kept_->block.items.empty()) || !run_.readBlocks.mayLearn(*kept_))
+      (!calculates && !kept_->block.items.empty() && !isBracketFlow(kept_->block)) ||
+      !run_.readBlocks.mayLearn(*kept_))
     return;
   const uint64_t modes = modesNumber(*unit_.dialect, before_);
   const uint64_t after = modesNumber(*unit_.dialect, live.state);

@@ -158,4 +158,14 @@ void writeVariable(MachineState &state, int64_t number, const Value &value) {
     state.commons.set(uint64_t(number), value);
 }
 
+uint64_t givenBackKey() {
+  static const uint64_t key = sharedVariableKey("_value");
+  return key;
+}
+
+uint64_t isGivenBackKey() {
+  static const uint64_t key = sharedVariableKey("_value_returned");
+  return key;
+}
+
 } // namespace ncvet

@@ -19,4 +19,9 @@ Truth isUnset(const MachineState &state, double number);
 bool showsMachine(const MachineState &state, double number);
 void writeVariable(MachineState &state, int64_t number, const Value &value);
 
+/// Keys of the variables in which a subprogram between brackets gives a value back, and in which it
+/// says whether it does.
+uint64_t givenBackKey();
+uint64_t isGivenBackKey();
+
 } // namespace ncvet

@@ -3,10 +3,43 @@
 
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/known_number.h"
+#include "interp/evaluate/variable_access.h"
 
 namespace ncvet {
 
+namespace {
+
+/// Whether no value has been given back, as at the end of a subprogram that gives none.
+bool nothingGivenBack(const MachineState &state) {
+  const auto isZero = [&](uint64_t key) {
+    const Value value = state.commons.get(key);
+    return value.isConstant() && value.number.value() == 0 &&
+           state.commons.given(key) == Truth::Yes;
+  };
+  return isZero(givenBackKey()) && isZero(isGivenBackKey());
+}
+
+} // namespace
+
+bool isBracketFlow(const Block &block) {
+  if (block.kind != BlockKind::Normal || block.skip >= 0 || !block.words.empty() ||
+      !block.issues.empty() || block.items.size() != 1)
+    return false;
+  const Item &item = block.items.front();
+  if (item.condition != noExpression || item.value != noExpression || item.count != noExpression)
+    return false;
+  return item.kind == ItemKind::Call
+             ? item.positional && !item.modal && item.nameEnd > item.nameBegin
+             : item.kind == ItemKind::Structure && item.structure == Structure::EndSub;
+}
+
 bool isKnownFlow(const Dialect &dialect, const Block &block, const Outcome &outcome) {
+  if (isBracketFlow(block)) {
+    constexpr uint32_t expected =
+        bitOf(EventKind::Block) | bitOf(EventKind::Statement) | bitOf(EventKind::Call);
+    return !(outcome.kinds & ~expected) && outcome.codes.empty() && !outcome.foreign &&
+           outcome.callsModally == Truth::No;
+  }
   constexpr uint32_t events = bitOf(EventKind::Block) | bitOf(EventKind::Code) |
                               bitOf(EventKind::Call) | bitOf(EventKind::Return) |
                               bitOf(EventKind::WordIssue);
@@ -29,6 +62,8 @@ bool isKnownFlow(const Dialect &dialect, const Block &block, const Outcome &outc
 
 bool computeArguments(const Block &block, const MachineState &state, Outcome &outcome) {
   Flow &flow = outcome.flow;
+  if (flow.kind == FlowKind::Structure)
+    return nothingGivenBack(state);
   if (!flow.macro || block.expressions.empty())
     return true;
   llvm::SmallVector<std::pair<uint32_t, Value>, 8> given;

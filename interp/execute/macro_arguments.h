@@ -30,12 +30,16 @@ void forEachArgument(const Block &block, const Word &code, Take take) {
   }
 }
 
+/// Whether the block is nothing but a call of a subprogram between brackets, or the end of one that
+/// gives no value back.
+bool isBracketFlow(const Block &block);
+
 /// Whether a block that was executed is a call or a return of which nothing but the arguments of a
 /// macro depends on numbers.
 bool isKnownFlow(const Dialect &dialect, const Block &block, const Outcome &outcome);
 
 /// Gives the arguments of such a call of `outcome` the numbers that they have in this state; false,
-/// and all stay as they are: one of them is not known.
+/// and all stay as they are: one of them is not known, or the block would change the state.
 bool computeArguments(const Block &block, const MachineState &state, Outcome &outcome);
 
 } // namespace ncvet

@@ -103,8 +103,8 @@ void Execution::assign(const Item &item) {
 void Execution::giveBack(const Item &item) {
   const bool has = item.value != noExpression;
   const Value value = has ? evaluate(block_, item.value, state_, &outcome_) : Value::of(0);
-  state_.commons.set(sharedVariableKey("_value"), value);
-  state_.commons.set(sharedVariableKey("_value_returned"), Value::of(has));
+  state_.commons.set(givenBackKey(), value);
+  state_.commons.set(isGivenBackKey(), Value::of(has));
 }
 
 /// A variable of the running program; it begins with its value, or with zero.

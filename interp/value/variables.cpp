@@ -21,7 +21,7 @@ const Variables::Entry *Variables::find(uint64_t number) const {
   if (!data_)
     return nullptr;
   const auto &entries = data_->entries;
-  const auto at = std::lower_bound(entries.begin(), entries.end(), number, before);
+  const auto *const at = std::lower_bound(entries.begin(), entries.end(), number, before);
   return at != entries.end() && at->number == number ? &*at : nullptr;
 }
 
@@ -64,10 +64,24 @@ void Variables::set(uint64_t number, const Value &value) {
   write({number, value});
 }
 
+Variables Variables::numbered(llvm::ArrayRef<Value> values) {
+  touch();
+  Variables result;
+  result.data_ = new SharedList<Entries>;
+  Entries &entries = result.data_->entries;
+  entries.reserve(values.size());
+  for (const Value &value : values)
+    entries.push_back({entries.size() + 1, value});
+  return result;
+}
+
 void Variables::write(const Entry &entry) {
+  const Entry *const known = find(entry.number);
+  if (known && known->value == entry.value && known->given == entry.given)
+    return; // others may go on sharing the list
   auto &entries = ownEntries(data_);
-  const auto at = std::lower_bound(entries.begin(), entries.end(), entry.number, before);
-  if (at != entries.end() && at->number == entry.number)
+  auto *const at = std::lower_bound(entries.begin(), entries.end(), entry.number, before);
+  if (known)
     *at = entry;
   else
     entries.insert(at, entry);
@@ -97,12 +111,12 @@ Variables Variables::merge(const Variables &a, const Variables &b, Combine combi
   const auto both = [](Truth x, Truth y) { return x == y ? x : Truth::Unknown; };
   Variables result(combine(a.fallback_, b.fallback_));
   result.othersGiven_ = both(a.othersGiven_, b.othersGiven_);
-  static const std::vector<Entry> none;
+  static const Entries none;
   const auto &left = a.data_ ? a.data_->entries : none;
   const auto &right = b.data_ ? b.data_->entries : none;
   workDone += (left.size() + right.size()) / entriesOfOneMove;
-  auto i = left.begin();
-  auto j = right.begin();
+  const auto *i = left.begin();
+  const auto *j = right.begin();
   llvm::IntrusiveRefCntPtr<SharedList<Entries>> data(new SharedList<Entries>);
   const auto add = [&](const Entry &x, const Entry &y) {
     data->entries.push_back({x.number, combine(x.value, y.value), both(x.given, y.given)});
@@ -137,7 +151,7 @@ bool operator==(const Variables &a, const Variables &b) {
   if (a.data_ == b.data_)
     return true;
   // An entry that says what the rest says counts for nothing: compare what the two answer.
-  static const std::vector<Variables::Entry> none;
+  static const Variables::Entries none;
   const auto same = [&](const Variables::Entry &x, const Variables::Entry &y) {
     return x.value == y.value && x.given == y.given;
   };

@@ -5,8 +5,7 @@
 #include "interp/value/value.h"
 
 #include "llvm/ADT/STLExtras.h"
-
-#include <vector>
+#include "llvm/ADT/SmallVector.h"
 
 namespace ncvet {
 
@@ -16,6 +15,8 @@ namespace ncvet {
 class Variables {
 public:
   explicit Variables(Value fallback = Value::unknown()) : fallback_(fallback) {}
+  /// Those that have the numbers from 1 on are given these values.
+  static Variables numbered(llvm::ArrayRef<Value> values);
 
   Value get(uint64_t key) const;
   /// Whether the program has given it a value: unknown where only some paths lead past an
@@ -42,7 +43,7 @@ private:
     Value value;
     Truth given = Truth::Yes;
   };
-  using Entries = std::vector<Entry>; ///< sorted by number
+  using Entries = llvm::SmallVector<Entry, 12>; ///< sorted by number
   template <typename Combine>
   static Variables merge(const Variables &a, const Variables &b, Combine combine);
 

@@ -37,7 +37,7 @@ public:
       return;
     }
     if (event.kind == EventKind::Assignment)
-      return parameter(uint64_t(event.variable()), ctx);
+      return ctx.codes().empty() ? sleepAtBlock() : parameter(uint64_t(event.variable()), ctx);
     if (event.wordIssue() != WordIssue::Special)
       return;
     // What an unknown code or another control's takes is not known either; the letters of a macro

@@ -28,7 +28,8 @@ public:
     if (event.kind == EventKind::Statement) {
       const size_t index = event.item();
       const Item &item = ctx.block().items[index];
-      if (item.kind != ItemKind::Structure && item.kind != ItemKind::Jump)
+      if (item.kind == ItemKind::Structure ? !beginsLoop(item.structure)
+                                           : item.kind != ItemKind::Jump)
         sleepAtBlock(); // unless it reads a variable
       if (item.kind == ItemKind::Structure && item.structure == Structure::While)
         return bracketed(item, ctx);
@@ -50,6 +51,10 @@ public:
   }
 
 private:
+  static bool beginsLoop(Structure structure) {
+    return structure == Structure::While || structure == Structure::Loop ||
+           structure == Structure::Repeat;
+  }
   /// `N10` and `IF [#503 NE 0] GOTO 10`: over blocks that move nothing the program waits for who
   /// else writes a common variable, at the machine or beside it.
   static bool waitsForOthers(const RuleContext &ctx) {

@@ -1,5 +1,6 @@
 // The main flow runs on into a local subprogram.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <set>
 
@@ -33,8 +34,8 @@ private:
   /// `o1 sub` is passed over, unless a call has read it from further up: then the interpreter takes
   /// it for a second one.
   void flowWord(const Event &event, const Item &item, RuleContext &ctx) const {
-    if (!item.label)
-      return;
+    if (!item.label || (item.kind == ItemKind::Structure && item.structure != Structure::Sub))
+      return sleepAtBlock();
     const std::pair<FileId, uint32_t> key{ctx.source().id(), item.label};
     if (item.kind == ItemKind::Call) {
       memory().called.insert(key);
