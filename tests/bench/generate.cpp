@@ -3,14 +3,61 @@
 //   ncvet_bench_programs FOLDER [--big | --tenth]
 //
 // `programs.tsv` in the folder lists them: file, blocks that the control executes, dialect, and
-// what is aimed at. With --big there is one of ten million blocks; with --tenth all are a tenth as
-// long.
+// what is aimed at. `rs274.tsv` lists those that LinuxCNC's interpreter runs too, with the tools in
+// `rs274.tbl`: what is aimed at is then how many times as fast. With --big there is one of ten
+// million blocks; with --tenth all are a tenth as long.
 #include "programs.h"
 
 #include <functional>
 #include <string_view>
 
 using namespace ncvet::bench;
+
+namespace {
+
+using Writer = std::function<uint64_t(ProgramFile &)>;
+
+/// Writes a program and its line of the table.
+void list(std::FILE *table, const std::string &folder, const char *name, const char *dialect,
+          const char *goal, const Writer &writer) {
+  ProgramFile file(folder + "/" + name);
+  const uint64_t blocks = writer(file);
+  std::fprintf(table, "%s\t%llu\t%s\t%s\n", name, static_cast<unsigned long long>(blocks), dialect,
+               goal);
+}
+
+std::FILE *openTable(const std::string &path) {
+  std::FILE *const table = std::fopen(path.c_str(), "wb");
+  if (!table)
+    std::perror(path.c_str());
+  return table;
+}
+
+/// The programs that LinuxCNC's interpreter runs too; false: they could not be written.
+bool writeForInterpreter(const std::string &folder, uint64_t thousand) {
+  std::FILE *const table = openTable(folder + "/rs274.tsv");
+  if (!table)
+    return false;
+  const auto write = [&](const char *name, const char *goal, const Writer &writer) {
+    list(table, folder, name, "linuxcnc", goal, writer);
+  };
+  writeToolTable(folder + "/rs274.tbl");
+  write("surfacing-300k.ngc", "60", [&](auto &file) {
+    return writeSurfacing(file, 300 * thousand, Spelling::Modal, Frame::File);
+  });
+  write("numbered-300k.ngc", "60", [&](auto &file) {
+    return writeSurfacing(file, 300 * thousand, Spelling::Numbered, Frame::File);
+  });
+  write("contours-300k.ngc", "25",
+        [&](auto &file) { return writeContours(file, 300 * thousand, Frame::File); });
+  write("drilling-200k.ngc", "25",
+        [&](auto &file) { return writeDrilling(file, 200 * thousand, Frame::File); });
+  write("macros-400k.ngc", "10",
+        [&](auto &file) { return writeBracketedMacros(file, 400 * thousand); });
+  return std::fclose(table) == 0;
+}
+
+} // namespace
 
 int main(int argc, char **argv) {
   const std::string_view option = argc == 3 ? argv[2] : "";
@@ -19,19 +66,12 @@ int main(int argc, char **argv) {
     return 2;
   }
   const std::string folder = argv[1];
-  const std::string tablePath = folder + "/programs.tsv";
-  std::FILE *table = std::fopen(tablePath.c_str(), "wb");
-  if (!table) {
-    std::perror(tablePath.c_str());
+  std::FILE *const table = openTable(folder + "/programs.tsv");
+  if (!table)
     return 2;
-  }
-  using Writer = std::function<uint64_t(ProgramFile &)>;
   const auto write = [&](const char *name, const char *dialect, const char *goal,
                          const Writer &writer) {
-    ProgramFile file(folder + "/" + name);
-    const uint64_t blocks = writer(file);
-    std::fprintf(table, "%s\t%llu\t%s\t%s\n", name, static_cast<unsigned long long>(blocks),
-                 dialect, goal);
+    list(table, folder, name, dialect, goal, writer);
   };
   const uint64_t share = option == "--tenth" ? 10 : 1;
   const uint64_t million = 1'000'000 / share, thousand = 1'000 / share;
@@ -60,5 +100,5 @@ int main(int argc, char **argv) {
         [&](auto &file) { return writeMacros(file, million); });
   write("subprograms-2k.nc", "fanuc-0m", "100 ms, 64 MiB",
         [&](auto &file) { return writeSubprograms(file, 2 * thousand); });
-  return std::fclose(table) == 0 ? 0 : 2;
+  return writeForInterpreter(folder, thousand) && std::fclose(table) == 0 ? 0 : 2;
 }

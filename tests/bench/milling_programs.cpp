@@ -9,9 +9,10 @@ namespace {
 
 /// What is written before a milling program of a word-address control; `numbered`: each block has
 /// its number.
-void writeHead(ProgramFile &out, const char *name, int number, int tool, bool numbered = false) {
-  out.line("%");
-  out.block("O%04d (%s)", number, name);
+void writeHead(ProgramFile &out, const char *name, int number, int tool, Frame frame,
+               bool numbered = false) {
+  if (frame == Frame::Tape)
+    out.head(number, name);
   const auto prefix = [&](unsigned block) {
     return numbered ? "N" + std::to_string(block * 10) + " " : std::string();
   };
@@ -23,12 +24,13 @@ void writeHead(ProgramFile &out, const char *name, int number, int tool, bool nu
   out.block("%sM8", prefix(6).c_str());
 }
 
-void writeEnd(ProgramFile &out) {
+void writeEnd(ProgramFile &out, Frame frame) {
   out.block("G0 Z50. M9");
   out.block("M5");
   out.block("G49");
   out.block("M30");
-  out.line("%");
+  if (frame == Frame::Tape)
+    out.line("%");
 }
 constexpr uint64_t endBlocks = 4;
 
@@ -53,9 +55,9 @@ SurfacePoint surfacePoint(uint64_t row, int i) {
 
 /// A 3D finishing pass: parallel lines over a wavy surface, short linear moves, a retract after
 /// every line. `blocks` is met exactly.
-uint64_t writeSurfacing(ProgramFile &out, uint64_t blocks, Spelling spelling) {
+uint64_t writeSurfacing(ProgramFile &out, uint64_t blocks, Spelling spelling, Frame frame) {
   const bool numbered = spelling == Spelling::Numbered;
-  writeHead(out, "FINISH 3D", 1001, 2, numbered);
+  writeHead(out, "FINISH 3D", 1001, 2, frame, numbered);
   const auto full = [&] { return out.blocks() + endBlocks >= blocks; };
   // The number of the next block: those of a long program have up to eight digits.
   const auto n = [&] {
@@ -78,7 +80,7 @@ uint64_t writeSurfacing(ProgramFile &out, uint64_t blocks, Spelling spelling) {
     if (!full())
       out.block("%sG0 Z5.", n().c_str());
   }
-  writeEnd(out);
+  writeEnd(out, frame);
   return out.blocks();
 }
 
@@ -117,8 +119,8 @@ uint64_t writeSinumerikSurfacing(ProgramFile &out, uint64_t blocks) {
 
 /// Pockets with rounded corners and slots of half circles under radius compensation, and chains of
 /// arcs by radius and by centre without it.
-uint64_t writeContours(ProgramFile &out, uint64_t blocks) {
-  writeHead(out, "CONTOURS", 1002, 4);
+uint64_t writeContours(ProgramFile &out, uint64_t blocks, Frame frame) {
+  writeHead(out, "CONTOURS", 1002, 4, frame);
   constexpr uint64_t pocketBlocks = 15, arcBlocks = 12;
   for (uint64_t part = 0; out.blocks() + pocketBlocks + arcBlocks + endBlocks <= blocks; ++part) {
     const double x = 60. * static_cast<double>(part % 10);
@@ -153,13 +155,13 @@ uint64_t writeContours(ProgramFile &out, uint64_t blocks) {
     }
     out.block("G0 Z2.");
   }
-  writeEnd(out);
+  writeEnd(out, frame);
   return out.blocks();
 }
 
 /// Holes of plates: G81, G83, G73 and G82 with a new cycle every 40 holes.
-uint64_t writeDrilling(ProgramFile &out, uint64_t blocks) {
-  writeHead(out, "DRILL", 1003, 5);
+uint64_t writeDrilling(ProgramFile &out, uint64_t blocks, Frame frame) {
+  writeHead(out, "DRILL", 1003, 5, frame);
   constexpr int holes = 40;
   for (uint64_t pattern = 0; out.blocks() + holes + 2 + endBlocks <= blocks; ++pattern)
     for (int hole = 0; hole < holes; ++hole) {
@@ -187,7 +189,7 @@ uint64_t writeDrilling(ProgramFile &out, uint64_t blocks) {
       }
     }
   out.block("G80");
-  writeEnd(out);
+  writeEnd(out, frame);
   return out.blocks();
 }
 

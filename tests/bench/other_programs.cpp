@@ -7,8 +7,7 @@ namespace ncvet::bench {
 
 /// Five lines: what is left of the time is the start of the process.
 uint64_t writeTiny(ProgramFile &out) {
-  out.line("%");
-  out.block("O1005 (TINY)");
+  out.head(1005, "TINY");
   out.block("G21 G17 G40 G49 G80 G90 G94");
   out.block("M30");
   out.line("%");
@@ -23,8 +22,7 @@ uint64_t writeTinySinumerik(ProgramFile &out) {
 
 /// Passes along a shaft with fillets, chamfers and tapers, feed in millimetres per revolution.
 uint64_t writeTurning(ProgramFile &out, uint64_t blocks) {
-  out.line("%");
-  out.block("O1006 (SHAFT)");
+  out.head(1006, "SHAFT");
   out.block("G21 G40 G99");
   out.block("G50 S3000");
   out.block("T0101");
@@ -57,8 +55,7 @@ uint64_t writeTurning(ProgramFile &out, uint64_t blocks) {
 
 /// Short pieces of work with much said about them.
 uint64_t writeCommented(ProgramFile &out, uint64_t lines) {
-  out.line("%");
-  out.block("O1007 (COMMENTED)");
+  out.head(1007, "COMMENTED");
   out.block("G21 G17 G40 G49 G80 G90 G94");
   out.block("T2 M6");
   out.block("G54 G0 X0. Y0. S12000 M3");
@@ -94,8 +91,7 @@ uint64_t writeCommented(ProgramFile &out, uint64_t lines) {
 
 /// Blocks of twenty words and a comment: five axes, many codes.
 uint64_t writeLongLines(ProgramFile &out, uint64_t blocks) {
-  out.line("%");
-  out.block("O1008 (LONG LINES)");
+  out.head(1008, "LONG LINES");
   out.block("G21 G17 G40 G49 G80 G90 G94");
   out.block("T2 M6");
   out.block("G43 G54 G0 X0. Y0. Z50. H2 S12000 M3");
@@ -127,8 +123,7 @@ uint64_t writeMacros(ProgramFile &out, uint64_t blocks) {
   // increment, END.
   constexpr uint64_t outer = 9 + inner * innerRounds;
   const uint64_t rows = (blocks + outer - 1) / outer;
-  out.line("%");
-  out.block("O1009 (WAVE BY MACRO)");
+  out.head(1009, "WAVE BY MACRO");
   out.block("G21 G17 G40 G49 G80 G90 G94");
   out.block("T2 M6");
   out.block("G54 G0 X0. Y0. S12000 M3");
@@ -173,8 +168,7 @@ uint64_t writeMacros(ProgramFile &out, uint64_t blocks) {
 uint64_t writeSubprograms(ProgramFile &out, uint64_t programs) {
   const uint64_t tops = programs / 5, mids = programs * 3 / 10, leaves = programs - tops - mids;
   constexpr int topBase = 1000, midBase = 3000, leafBase = 5000;
-  out.line("%");
-  out.block("O0001 (PLATE)");
+  out.head(1, "PLATE");
   out.block("G21 G17 G40 G49 G80 G90 G94");
   out.block("T2 M6");
   out.block("G54 G0 X0. Y0. S12000 M3");

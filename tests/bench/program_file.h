@@ -43,6 +43,11 @@ public:
     std::fputs(text, file_);
     std::fputc('\n', file_);
   }
+  /// What begins a program whose control knows its programs by their numbers.
+  void head(int number, const char *name) {
+    line("%");
+    block("O%04d (%s)", number, name);
+  }
   /// Blocks so far.
   uint64_t blocks() const { return blocks_; }
 

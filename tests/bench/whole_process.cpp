@@ -1,10 +1,12 @@
 // Times `ncvet check` as a whole process beside `wc -w` on the same file in the same run.
 //
 //   ncvet_bench NCVET PROGRAMS.tsv [--runs N] [--against OTHER] [--instructions]
+//   ncvet_bench NCVET rs274.tsv --interpreter [--runs N]
 //
 // The commands run in turn, N times (5): `wc -w`, ncvet, and with --against the other binary. The
 // table shows medians; a unit is the CPU time of `wc -w`. --instructions counts them where the
-// machine does not, which takes minutes.
+// machine does not, which takes minutes. --interpreter: in turn with LinuxCNC's `rs274`, which
+// interprets the same programs.
 #include "measured_process.h"
 #include <sys/stat.h>
 
@@ -34,6 +36,7 @@ struct Options {
   std::string ncvet, programs, other;
   int runs = 5;
   bool instructions = false;
+  bool interpreter = false; ///< beside LinuxCNC's
 };
 
 std::vector<Program> readTable(const std::string &path) {
@@ -166,6 +169,39 @@ bool measure(const Options &options, const Program &program, Start &start) {
   return !check.failed() && (options.other.empty() || !other.failed());
 }
 
+/// `rs274` on the program; false: one of the two has failed.
+bool measureBesideInterpreter(const Options &options, const Program &program) {
+  const std::string folder = program.path.substr(0, program.path.size() - program.name.size());
+  Runs check, interpreter;
+  for (int i = 0; i < options.runs; ++i) {
+    interpreter.add(runOnce(
+        {"rs274", "-g", "-t", folder + "rs274.tbl", "-v", folder + "rs274.var", program.path}));
+    check.add(runOnce(checkBy(options.ncvet, program)));
+  }
+  const bool failed = check.failed() || interpreter.failed();
+  std::printf("%-18s %8llu %9.1f %9.1f %7.1f %7s%s\n", program.name.c_str(),
+              static_cast<unsigned long long>(program.blocks), interpreter.cpu() * 1e3,
+              check.cpu() * 1e3, interpreter.cpu() / check.cpu(), program.goal.c_str(),
+              failed ? "  FAILED" : "");
+  std::fflush(stdout);
+  return !failed;
+}
+
+bool besideInterpreter(const Options &options, const std::vector<Program> &programs) {
+  std::printf("CPU time, median of %d runs, beside LinuxCNC's rs274 on the same files\n\n",
+              options.runs);
+  if (runOnce({"sh", "-c", "command -v rs274"}).failed) {
+    std::printf("rs274 is not installed: nothing to compare with\n");
+    return true;
+  }
+  std::printf("%-18s %8s %9s %9s %7s %7s\n", "program", "blocks", "rs274 ms", "ncvet ms", "times",
+              "goal");
+  bool good = true;
+  for (const Program &program : programs)
+    good &= measureBesideInterpreter(options, program);
+  return good;
+}
+
 bool readOptions(int argc, char **argv, Options &options) {
   if (argc < 3)
     return false;
@@ -175,6 +211,8 @@ bool readOptions(int argc, char **argv, Options &options) {
     const std::string option = argv[i];
     if (option == "--instructions")
       options.instructions = true;
+    else if (option == "--interpreter")
+      options.interpreter = true;
     else if (option == "--runs" && i + 1 < argc)
       options.runs = std::max(1, std::atoi(argv[++i]));
     else if (option == "--against" && i + 1 < argc)
@@ -191,7 +229,7 @@ int main(int argc, char **argv) {
   Options options;
   if (!readOptions(argc, argv, options)) {
     std::fputs("usage: ncvet_bench NCVET PROGRAMS.tsv [--runs N] [--against OTHER] "
-               "[--instructions]\n",
+               "[--instructions | --interpreter]\n",
                stderr);
     return 2;
   }
@@ -200,6 +238,8 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "ncvet_bench: no programs in %s\n", options.programs.c_str());
     return 2;
   }
+  if (options.interpreter)
+    return besideInterpreter(options, programs) ? 0 : 1;
   std::printf("CPU time, median of %d runs; memory: the largest; units: of wc -w on the same file\n"
               "instructions per block: without those of the start\n\n",
               options.runs);
