@@ -68,6 +68,8 @@ bool RegionRun::goOnAsKnown() {
       break;
     if (noteRead() && spend())
       goOnAsKnownOnce(*known);
+    if (known->move.hole != HoleEnd::None)
+      goOnInRow(*known);
     if (goesOn_)
       break; // with a stretch
   }
@@ -76,7 +78,8 @@ bool RegionRun::goOnAsKnown() {
 
 /// What the block at `at_` does; null, with its spelling made out: that is not known.
 KnownBlocks::Known *RegionRun::knownHere() {
-  spelling_ = known_->read(at_);
+  if (std::exchange(rowEnd_, ~0u) != at_)
+    spelling_ = known_->read(at_);
   spelled_ = at_;
   pattern_ = nullptr;
   kept_ = nullptr;

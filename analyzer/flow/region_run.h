@@ -56,6 +56,9 @@ private:
   uint64_t modesHere() const { return modes_ ^ caller_; }
   bool goOnAsKnown();
   void goOnAsKnownOnce(KnownBlocks::Known &known);
+  void goOnInRow(KnownBlocks::Known &first);
+  bool isOfRow(const KnownBlocks::Known &known, const MachineState &state) const;
+  void makeInRow(KnownBlocks::Known &known);
   KnownBlocks::Known *knownHere();
   /// How control leaves a block that was executed before.
   enum class Again : uint8_t { NotKnown, GoesOn, Leaves };
@@ -196,6 +199,7 @@ private:
   std::unique_ptr<KnownBlocks> known_;        ///< made when a block is read for the first time
   KnownBlocks::Spelling *spelling_ = nullptr; ///< of the block; null: it is not known
   uint32_t spelled_ = ~0u; ///< the block for which `spelling_` is made out though it is not read
+  uint32_t rowEnd_ = ~0u;  ///< the same, of one that ends a row of holes
   const KnownBlocks::Known *done_ = nullptr; ///< what the last block did; null: it was executed
   uint64_t modes_ = 0; ///< of the state, see `modesNumber`; 0: they are not made out
 };

@@ -3,7 +3,6 @@
 #include "interp/execute/known_move.h"
 
 #include "interp/evaluate/known_number.h"
-#include "interp/state/copy_motion.h"
 
 #include <cmath>
 
@@ -110,6 +109,16 @@ void KnownMove::drill(const Block &block, MachineState &state, Outcome &outcome,
     state.at(tool) = Interval::exactly(std::max(initial.value(), approach.value()));
   else
     state.at(tool) = Interval::unknown();
+}
+
+bool KnownMove::onlyPlaces(const MachineState &state) const {
+  return hole != HoleEnd::None && isSimple && places.empty() && codes.empty() && !computes &&
+         !engages && !renews && !losesTool && state.fedFrom.peek().isUnknown() &&
+         state.statedMay == statedMay && state.statedMust == statedMust &&
+         state.factsMay == factsMay && state.factsMust == factsMust &&
+         state.machineAxes == machineAxes && state.cycle.present == cycleWords &&
+         state.idleBlocks == idleBlocks && state.compensation == compensation &&
+         state.radiusOffset.peek() == radiusOffset && state.feed.peek() == feed;
 }
 
 void KnownMove::catchUp(const MachineState &after, MachineState &before) const {

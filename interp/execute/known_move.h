@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interp/execute/plain_move.h"
+#include "interp/state/copy_motion.h"
 
 #include <optional>
 
@@ -75,6 +76,20 @@ struct KnownMove {
             Outcome &outcome, llvm::ArrayRef<double> numbers = {}) const;
   /// Makes `before`, the state before such a move, what `after` is.
   void catchUp(const MachineState &after, MachineState &before) const;
+
+  /// Whether it is a hole that leaves `state` as it is, but for the place and the words that say
+  /// it.
+  bool onlyPlaces(const MachineState &state) const;
+  /// As `make` and `catchUp`, of such a hole after another one.
+  void makePlace(const Block &block, MachineState &state, Outcome &outcome) const {
+    makeSimply(steps, block, state);
+    drill(block, state, outcome, {});
+  }
+  void catchUpPlace(const MachineState &after, MachineState &before) const {
+    copyMotion(before, after);
+    for (const uint8_t letter : letters)
+      before.cycle.value[letter] = after.cycle.value[letter];
+  }
 
 private:
   void moveBy(llvm::ArrayRef<double> numbers, const Block &block, MachineState &state) const;

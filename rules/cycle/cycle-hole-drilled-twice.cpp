@@ -15,8 +15,7 @@ struct HolePlace {
   TextPlace list;       ///< where the list of holes begins
   unsigned depth = 0;
   uint64_t offset = 0;
-  std::array<double, axisCount> at; ///< 0 where it is not known, and along the tool
-  uint64_t key = 0;                 ///< of offset and position
+  uint64_t key = 0; ///< of offset and position
 
   bool isOfListOf(const HolePlace &other) const {
     return depth == other.depth && list == other.list;
@@ -37,7 +36,6 @@ struct Row {
   uint64_t offset = 0; ///< the same as in `HolePlace`
   std::array<KindOfHole, 8> kinds{};
   std::array<Interval, axisCount> position{};
-  std::array<double, axisCount> at{};      ///< the same as in `HolePlace`
   std::array<uint64_t, axisCount> parts{}; ///< what each of these adds to `key`
   uint64_t key = 0;                        ///< the same as in `HolePlace`
 
@@ -84,7 +82,6 @@ public:
       HolePlace &place = places_.emplace_back(kind);
       place.block.offset = begin;
       place.end.offset = end;
-      place.at = row.at;
       place.key = row.key;
     });
   }
@@ -157,6 +154,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::CycleRun && isNextOfRow(event, ctx))
+      return;
     if (event.kind == EventKind::ToolChange) { // what comes is the work of another tool
       memory().call = {};
       return;
@@ -164,8 +163,6 @@ public:
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
       return;
     if (event.kind == EventKind::CycleRun) {
-      if (isNextOfRow(event, ctx))
-        return;
       if (calls_)
         afterCall(event, ctx);
       if (othersTell(event, ctx))
@@ -182,6 +179,8 @@ public:
   }
 
 private:
+  using Numbers = std::array<double, axisCount>; ///< 0 where it is not known, and along the tool
+
   bool takeOver(llvm::ArrayRef<HolePlace> holes) const override {
     for (const HolePlace &place : holes) { // of the list that is being run
       if (!list().continues(place))
@@ -288,10 +287,9 @@ private:
     if (row.call != call || row.tool != tool || row.offset != place.offset)
       row.begin(call, tool, place.offset);
     row.position = position;
-    row.at = place.at;
     row.key = place.key;
     for (unsigned i = 0; i < axisCount; ++i)
-      row.parts[i] = partOfKey(i, place.at[i]);
+      row.parts[i] = partOfKey(i, numberAt(position[i], i == unsigned(tool)));
     const uint64_t known = ctx.outcome().known;
     row.kinds[known % row.kinds.size()] = {known, stateUse, place};
   }
@@ -309,12 +307,10 @@ private:
                                         (axisCount - usual) * sizeof(Interval)) == 0;
     for (unsigned i = 0; i < (othersStay ? usual : axisCount); ++i)
       if (position[i] != row.position[i]) {
-        const double at = numberAt(position[i], i == unsigned(row.tool));
-        const uint64_t part = partOfKey(i, at);
+        const uint64_t part = partOfKey(i, numberAt(position[i], i == unsigned(row.tool)));
         row.key += part - row.parts[i];
         row.parts[i] = part;
         row.position[i] = position[i];
-        row.at[i] = at;
       }
     if (!isPlaceKnown(event, position, row.tool))
       return true;
@@ -325,7 +321,6 @@ private:
     HolePlace place = kind->place;
     place.block.offset = ctx.block().begin;
     place.end.offset = ctx.block().end;
-    place.at = row.at;
     place.key = row.key;
     wasHereBefore(event, place, ctx);
     return true;
@@ -346,11 +341,12 @@ private:
     place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
     if (!isPlaceKnown(event, position, tool))
       return false;
+    Numbers at;
     for (unsigned i = 0; i < axisCount; ++i)
-      place.at[i] = numberAt(position[i], i == unsigned(tool));
-    if (hasFrame && !putIntoFrame(place, position, tool, state))
+      at[i] = numberAt(position[i], i == unsigned(tool));
+    if (hasFrame && !putIntoFrame(at, position, tool, state))
       return false;
-    place.key = keyOf(place);
+    place.key = keyOf(place.offset, at);
     return true;
   }
 
@@ -381,8 +377,7 @@ private:
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
     const HolePlace &other = *known;
-    if (other.block == place.block || other.offset != place.offset || other.at != place.at ||
-        (deeper && place.list.offset < ctx.block().begin))
+    if (other.block == place.block || (deeper && place.list.offset < ctx.block().begin))
       return false;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
@@ -393,8 +388,8 @@ private:
 
   /// A shifted, turned or mirrored system makes other places of the same numbers; false: it is not
   /// known which.
-  static bool putIntoFrame(HolePlace &place, const std::array<Interval, axisCount> &position,
-                           Axis tool, const MachineState &state) {
+  static bool putIntoFrame(Numbers &at, const std::array<Interval, axisCount> &position, Axis tool,
+                           const MachineState &state) {
     const std::optional<Frame> frame = state.frames.total();
     if (!frame)
       return false;
@@ -404,7 +399,7 @@ private:
         continue;
       if (!turned[i].isConstant())
         return false;
-      place.at[i] = rounded(turned[i].value());
+      at[i] = rounded(turned[i].value());
     }
     return true;
   }
@@ -434,10 +429,10 @@ private:
     return number;
   }
 
-  static uint64_t keyOf(const HolePlace &place) {
-    uint64_t key = Sum(place.offset).get();
+  static uint64_t keyOf(uint64_t offset, const Numbers &at) {
+    uint64_t key = Sum(offset).get();
     for (unsigned i = 0; i < axisCount; ++i)
-      key += partOfKey(i, place.at[i]);
+      key += partOfKey(i, at[i]);
     return key;
   }
   /// What a number of one axis adds to the key.

@@ -1,0 +1,66 @@
+// Rows of holes of a region: blocks of one cycle in force that only say where the next hole is.
+// What they do is what the general way in region_known.cpp does.
+#include "analyzer/flow/region_run.h"
+#include "interp/state/copy_motion.h"
+
+namespace ncvet {
+
+/// Holes that follow one that was made as it is known: in a row of them nothing changes but where
+/// they are, so that no mode is looked at, and the state before them differs in their places alone.
+void RegionRun::goOnInRow(KnownBlocks::Known &first) {
+  const MachineState &state = lives_[0].state;
+  if (recorder_ || replay_ || !isStraight() || !isOfRow(first, state))
+    return;
+  const uint32_t limit = straightLimit();
+  KnownBlocks::Known *known = &first;
+  bool isFirst = true;
+  run_.visits.begin();
+  run_.visits.visit(lives_[0].path);
+  while (!run_.stopped && at_ < limit) {
+    spelling_ = known_->read(at_);
+    rowEnd_ = at_;
+    if (!spelling_)
+      break;
+    if (spelling_->serial != known->spelling) {
+      known = known_->find(*spelling_, modesHere());
+      if (!known || !isOfRow(*known, state))
+        break;
+    }
+    rowEnd_ = spelled_ = ~0u;
+    block_ = pattern_ = &spelling_->block;
+    kept_ = nullptr;
+    if (!noteRead() || !spend())
+      break;
+    if (std::exchange(isFirst, false))
+      keepBefore(state);
+    else
+      done_->move.catchUpPlace(state, before_);
+    makeInRow(*known);
+  }
+  run_.endStop();
+}
+
+/// Whether it leaves all of the state as it is, but where the hole is.
+bool RegionRun::isOfRow(const KnownBlocks::Known &known, const MachineState &state) const {
+  return known.after[0] == modes_ && known.move.onlyPlaces(state);
+}
+
+/// As `goOnAsKnownOnce`.
+void RegionRun::makeInRow(KnownBlocks::Known &known) {
+  Live &live = lives_[0];
+  done_ = &known;
+  outcome_ = &known.outcome;
+  blockUse_ = known.use;
+  known.move.makePlace(*block_, live.state, known.outcome);
+  if (block_->number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
+    runsInto(live);
+  run_.listeners.executed(stepOf(live), false, run_.stopped);
+  if (run_.visits.isReported()) {
+    run_.endStop();
+    run_.visits.begin();
+    run_.visits.visit(live.path);
+  }
+  at_ = next_;
+}
+
+} // namespace ncvet
