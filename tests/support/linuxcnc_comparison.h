@@ -134,10 +134,13 @@ protected:
     std::vector<std::string> missed, wrong;
   };
 
-  /// Compares what is said of one program.
-  void judge(const fs::path &folder, const std::string &program, const std::string &title,
-             Verdicts &verdicts) {
-    judge(interpreter_->run(folder, program, tools()), folder, program, title, verdicts);
+  /// Compares motions and verdict of one program that lies in `folder`: the interpreter, of which
+  /// a start costs more than the program does, is started once for both.
+  void compareAndJudge(const fs::path &folder, const std::string &program, const std::string &title,
+                       Tally &tally, Verdicts &verdicts) {
+    const Rs274Run run = interpreter_->run(folder, program, tools());
+    compare(run, folder, program, title, tally);
+    judge(run, folder, program, title, verdicts);
   }
 
   static void judge(const Rs274Run &run, const fs::path &folder, const std::string &program,

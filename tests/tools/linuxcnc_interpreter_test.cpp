@@ -30,21 +30,28 @@ std::vector<fs::path> realPrograms() {
   return list;
 }
 
-/// A folder in which a real program finds its subprograms.
+/// A copy of a folder, in which a real program finds its subprograms.
 class Workshop {
 public:
-  Workshop(const fs::path &program, const std::string &text) : name_(program.filename()) {
-    for (const auto &other : fs::directory_iterator(program.parent_path()))
-      if (other.is_regular_file() && other.path() != program)
-        fs::copy_file(other.path(), folder_.path() / other.path().filename());
-    std::ofstream(folder_.path() / name_, std::ios::binary) << text;
+  explicit Workshop(const fs::path &original) : original_(original) {
+    for (const auto &file : fs::directory_iterator(original))
+      if (file.is_regular_file())
+        fs::copy_file(file.path(), folder_.path() / file.path().filename());
   }
   const fs::path &path() const { return folder_.path(); }
-  const std::string &name() const { return name_; }
+  const fs::path &original() const { return original_; }
+
+  /// Does `what` while the program of that name has the text.
+  void with(const std::string &program, const std::string &text, llvm::function_ref<void()> what) {
+    std::ofstream(folder_.path() / program, std::ios::binary) << text;
+    what();
+    fs::copy_file(original_ / program, folder_.path() / program,
+                  fs::copy_options::overwrite_existing);
+  }
 
 private:
+  fs::path original_;
   TemporaryFolder folder_;
-  std::string name_;
 };
 
 std::string titleOf(const fs::path &program) {
@@ -71,28 +78,40 @@ std::vector<std::string> smallPrograms() {
 /// share.
 constexpr double wanted = 0.975;
 
-TEST_F(LinuxCncInterpreter, RealProgramsMoveAsTraced) {
+TEST_F(LinuxCncInterpreter, RealProgramsMoveAsTracedAndAreJudgedAlike) {
   const std::vector<fs::path> programs = realPrograms();
   if (programs.empty())
     GTEST_SKIP() << "the corpus of real programs is not beside the project";
   Tally tally;
+  Verdicts verdicts;
+  std::optional<Workshop> shop;
   for (const fs::path &program : programs) {
-    const Workshop shop(program, withStart(textOf(program)));
-    compare(shop.path(), shop.name(), titleOf(program), tally);
+    if (!shop || shop->original() != program.parent_path())
+      shop.emplace(program.parent_path());
+    shop->with(program.filename(), withStart(textOf(program)), [&] {
+      compareAndJudge(shop->path(), program.filename(), titleOf(program), tally, verdicts);
+    });
   }
   report("real programs", tally);
+  report("real programs", verdicts);
   EXPECT_GE(tally.agreeing, wanted * tally.programs);
+  EXPECT_GE(verdicts.reported, 0.9 * verdicts.rejected);
+  EXPECT_THAT(verdicts.wrong, testing::IsEmpty());
 }
 
-TEST_F(LinuxCncInterpreter, SmallProgramsMoveAsTraced) {
+TEST_F(LinuxCncInterpreter, SmallProgramsMoveAsTracedAndAreJudgedAlike) {
   Tally tally;
+  Verdicts verdicts;
   const TemporaryFolder folder;
   for (const std::string &text : smallPrograms()) {
     std::ofstream(folder.path() / "small.ngc") << withStart(text);
-    compare(folder.path(), "small.ngc", "`" + inOneLine(text) + "`", tally);
+    compareAndJudge(folder.path(), "small.ngc", "`" + inOneLine(text) + "`", tally, verdicts);
   }
   report("small programs", tally);
+  report("small programs", verdicts);
   EXPECT_GE(tally.agreeing, wanted * tally.programs);
+  EXPECT_GE(verdicts.reported, 0.9 * verdicts.rejected);
+  EXPECT_THAT(verdicts.wrong, testing::IsEmpty());
 }
 
 /// A line of figures for each theme; the program of a seed whose motions differ can be printed by
@@ -147,9 +166,7 @@ TEST_F(LinuxCncInterpreter, CompensatedContoursAreFollowedAndJudgedAlike) {
     if (only)
       std::cout << text;
     std::ofstream(folder.path() / "made.ngc") << text;
-    const Rs274Run run = interpreter_->run(folder.path(), "made.ngc", tools());
-    compare(run, folder.path(), "made.ngc", "seed " + std::to_string(seed), tally);
-    judge(run, folder.path(), "made.ngc", "seed " + std::to_string(seed), verdicts);
+    compareAndJudge(folder.path(), "made.ngc", "seed " + std::to_string(seed), tally, verdicts);
   }
   report("compensated programs", tally);
   report("compensated programs", verdicts);
@@ -157,32 +174,6 @@ TEST_F(LinuxCncInterpreter, CompensatedContoursAreFollowedAndJudgedAlike) {
   EXPECT_GE(verdicts.reported, 0.9 * verdicts.rejected);
   EXPECT_THAT(verdicts.wrong, testing::IsEmpty());
   EXPECT_LE(verdicts.unseen, 0.05 * verdicts.accepted);
-}
-
-TEST_F(LinuxCncInterpreter, SmallProgramsAreJudgedAlike) {
-  Verdicts verdicts;
-  const TemporaryFolder folder;
-  for (const std::string &text : smallPrograms()) {
-    std::ofstream(folder.path() / "small.ngc") << text;
-    judge(folder.path(), "small.ngc", "`" + inOneLine(text) + "`", verdicts);
-  }
-  report("small programs", verdicts);
-  EXPECT_GE(verdicts.reported, 0.9 * verdicts.rejected);
-  EXPECT_THAT(verdicts.wrong, testing::IsEmpty());
-}
-
-TEST_F(LinuxCncInterpreter, RealProgramsAreJudgedAlike) {
-  const std::vector<fs::path> programs = realPrograms();
-  if (programs.empty())
-    GTEST_SKIP() << "the corpus of real programs is not beside the project";
-  Verdicts verdicts;
-  for (const fs::path &program : programs) {
-    const Workshop shop(program, textOf(program));
-    judge(shop.path(), shop.name(), titleOf(program), verdicts);
-  }
-  report("real programs", verdicts);
-  EXPECT_GE(verdicts.reported, 0.9 * verdicts.rejected);
-  EXPECT_THAT(verdicts.wrong, testing::IsEmpty());
 }
 
 } // namespace

@@ -27,9 +27,7 @@ TEST_F(LinuxCncMixtures, MoveAndAreJudgedAsByTheInterpreter) {
     if (only)
       std::cout << text;
     std::ofstream(folder.path() / "made.ngc") << text;
-    const Rs274Run run = interpreter_->run(folder.path(), "made.ngc", tools());
-    compare(run, folder.path(), "made.ngc", "seed " + std::to_string(seed), tally);
-    judge(run, folder.path(), "made.ngc", "seed " + std::to_string(seed), verdicts);
+    compareAndJudge(folder.path(), "made.ngc", "seed " + std::to_string(seed), tally, verdicts);
   }
   report("mixed programs", tally);
   report("mixed programs", verdicts);
