@@ -29,7 +29,7 @@ class NeovimWith : public testing::TestWithParam<std::string> {};
 TEST_P(NeovimWith, DoesWhatAUserDoes) {
   EditorPlan plan(GetParam());
   addPrograms(plan, "open", GetParam(), 8);
-  addPrograms(plan, "edit", GetParam(), 3);
+  addPrograms(plan, "edit", GetParam(), 2);
   addPrograms(plan, "fix", GetParam(), 40);
   addPrograms(plan, "allow", GetParam(), 8);
   addPrograms(plan, "hover", GetParam(), 2);
