@@ -1,4 +1,5 @@
 // Completion: what may be at the cursor, by block and control.
+#include "analyzer/flow/states_at_block.h"
 #include "lsp/features/writing/completion.h"
 #include "tests/support/marked_text.h"
 
@@ -16,13 +17,25 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
+/// Where control comes to the block at the mark.
+std::optional<MachineState> stateAtMark(const test::MarkedText &text) {
+  Block block;
+  text->readAt(text.marks[0], block);
+  const StatesAt states = statesAt(text->project(), text->unit(), text->unit(), block.begin);
+  if (states.ways.empty())
+    return std::nullopt;
+  return states.ways.front().before;
+}
+
 /// Items at the mark, applied: what then is from the place that is replaced to the cursor.
 std::vector<std::string>
 insertedAt(llvm::StringRef dialect, llvm::StringRef program,
            std::string lsp::CompletionItem::*part = &lsp::CompletionItem::label) {
   const auto text = test::markedText(dialect, program);
   std::vector<std::string> all;
-  for (const CompletionItem &item : lsp::completions(*text, text.marks[0])) {
+  const auto before = stateAtMark(text);
+  for (const CompletionItem &item :
+       lsp::completions(*text, text.marks[0], before ? &*before : nullptr)) {
     EXPECT_LE(item.replace.begin, text.marks[0]);
     EXPECT_EQ(item.replace.end, text.marks[0]);
     all.push_back(item.*part);
@@ -61,6 +74,19 @@ TEST(Completion, CyclesAreSnippets) {
               Contains("CYCLE81(${1:RTP},${2:RFP},${3:SDIS},${4:DP},${5:DPR},${6:DTB})"));
   EXPECT_THAT(insertedAt("fanuc-0m", "O1\nG83<|>\n", &CompletionItem::insert),
               Contains(HasSubstr("Q${")));
+}
+
+TEST(Completion, OneOfSeveralWordsIsChosen) {
+  EXPECT_THAT(insertedAt("fanuc-0t", "O1\nG04<|>\nM30\n", &CompletionItem::insert),
+              Contains("G04 ${1|P,X,U|}${2:dwell time}"));
+  EXPECT_THAT(insertedAt("linuxcnc", "G04<|>\n", &CompletionItem::insert),
+              Contains(HasSubstr("G04 P${1:")));
+}
+
+TEST(Completion, WordsOfACycleAreNotOfferedInTheBlockThatEndsIt) {
+  const std::string drilling = "O1\nG90 G54 G0 X0. Y0. Z5.\nG83 X1. Z-5. R1. Q1. F100.\n";
+  EXPECT_EQ(insertedAt("fanuc-0m", drilling + "X2. <|>\nG80\nM30\n").front(), "Q");
+  EXPECT_NE(insertedAt("fanuc-0m", drilling + "G02 X2. <|>\nG80\nM30\n").front(), "Q");
 }
 
 TEST(Completion, JumpsNameBlocks) {

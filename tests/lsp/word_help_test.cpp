@@ -77,6 +77,13 @@ TEST(WordHelp, AVariableTellsItsValue) {
               HasSubstr("Here: 3"));
 }
 
+TEST(WordHelp, AVariableThatIsSetIsNamedAsItIsWritten) {
+  EXPECT_EQ(helpAt("fanuc-0m", "O1\n#1<|>00=5.\nM30\n").word, "#100");
+  EXPECT_EQ(helpAt("fanuc-0m", "O1\n<|>#100=5.\nM30\n").word, "#100");
+  EXPECT_THAT(helpAt("linuxcnc", "#<dep<|>th>=5\n").markdown, HasSubstr("**#<depth>** variable"));
+  EXPECT_EQ(helpAt("sinumerik", "R<|>1=5\n").word, "R1");
+}
+
 TEST(WordHelp, ACommentNeedsNone) {
   EXPECT_EQ(helpAt("haas-mill", "O1 (A<|> PART)\nM30\n").markdown, "");
 }

@@ -83,17 +83,30 @@ private:
     return list(names, " or ");
   }
 
+  /// Whether no block has set the group, and it is one that only some controls have.
+  bool isUntouched(GroupIndex index) const {
+    return !state_.origin.all()[index].known() && !llvm::is_contained(dialect_.standard, index);
+  }
+
   void codes() {
     std::vector<std::string> known;
+    unsigned untouched = 0;
     for (GroupIndex index = 0; index < dialect_.groups.size(); ++index)
       if (!dialect_.groups[index].oneShot)
-        if (std::string names = active(index); !names.empty())
-          known.push_back(names.find(' ') == std::string::npos ? names : "(" + names + ")");
+        if (std::string names = active(index); !names.empty()) {
+          if (isUntouched(index))
+            ++untouched;
+          else
+            known.push_back(names.find(' ') == std::string::npos ? names : "(" + names + ")");
+        }
     // As a control lists them: by number, G before M.
     llvm::sort(known, [](llvm::StringRef a, llvm::StringRef b) {
       return a.ltrim('(').compare_numeric(b.ltrim('(')) < 0;
     });
-    add("modal", list(known, " "));
+    std::string text = list(known, " ");
+    if (untouched)
+      text += (known.empty() ? "" : ", and ") + std::to_string(untouched) + " more as at power-on";
+    add("modal", std::move(text));
   }
 
   void position() {
@@ -185,6 +198,20 @@ std::string pathOf(const StateOnWay &way, const SourceSet &sources) {
   return list(steps, ", ");
 }
 
+/// What the paths do not agree on; nothing where that is nothing that is shown.
+std::string differences(llvm::ArrayRef<std::pair<std::string, std::string>> ways) {
+  if (llvm::all_of(ways, [](const auto &way) { return way.second.empty(); }))
+    return {};
+  std::string text;
+  const std::string *last = nullptr; // in the passes of a loop the paths are the same
+  for (const auto &[path, differs] : ways) {
+    const std::string title = path.empty() ? "straight on" : path;
+    text += "\n" + (last && *last == path ? "or" : title) + ":\n\n" + differs;
+    last = &path;
+  }
+  return text;
+}
+
 } // namespace
 
 std::string machineState(const Dialect &dialect, const StatesAt &states, const SourceSet &sources) {
@@ -201,15 +228,19 @@ std::string machineState(const Dialect &dialect, const StatesAt &states, const S
   for (const auto &line : ways.front())
     if (common(line))
       text += "- " + line.first + ": " + line.second + "\n";
-  if (ways.size() > 1)
+  if (ways.size() > 1) {
+    std::vector<std::pair<std::string, std::string>> told; // by path, each once
     for (size_t i = 0; i < ways.size(); ++i) {
-      const std::string path = pathOf(states.ways[i], sources);
-      text += "\n" + (path.empty() ? std::string("straight on") : path) + ":\n\n";
+      std::string differs;
       for (const auto &line : ways[i])
         if (!common(line))
-          text += "- " + line.first + ": " + line.second + "\n";
+          differs += "- " + line.first + ": " + line.second + "\n";
+      std::pair<std::string, std::string> way(pathOf(states.ways[i], sources), std::move(differs));
+      if (!llvm::is_contained(told, way))
+        told.push_back(std::move(way));
     }
-  else if (const std::string path = pathOf(states.ways.front(), sources); !path.empty())
+    text += differences(told);
+  } else if (const std::string path = pathOf(states.ways.front(), sources); !path.empty())
     text += "- path: " + path + "\n";
   return text;
 }

@@ -184,11 +184,11 @@ private:
   std::optional<WordHelp> variableHelp() const {
     const Block &block = lone_.block();
     for (const Item &item : block.items)
-      if (item.target != noExpression && holds(item.nameBegin, item.nameEnd) &&
+      if (item.target != noExpression && holds(beginOfName(item), endOfName(item)) &&
           (item.kind == ItemKind::Assignment || item.kind == ItemKind::Definition ||
            item.kind == ItemKind::Input || item.kind == ItemKind::Structure))
-        return at(item.nameBegin, item.nameEnd,
-                  variable(text(item.nameBegin, item.nameEnd), block.keyOf(item.target)));
+        return at(beginOfName(item), endOfName(item),
+                  variable(text(beginOfName(item), endOfName(item)), block.keyOf(item.target)));
     for (const ExpressionOp &op : block.operations) {
       if (op.op != Op::Variable || op.offset > offset_ + 1)
         continue;
@@ -200,6 +200,18 @@ private:
     return std::nullopt;
   }
 
+  /// Of what is written: with the mark of a variable and its brackets.
+  uint32_t beginOfName(const Item &item) const {
+    const llvm::StringRef all = snapshot_.text().take_front(item.nameBegin);
+    for (const llvm::StringRef mark : {"#<", "#"})
+      if (item.nameBegin != item.nameEnd && all.endswith(mark))
+        return item.nameBegin - uint32_t(mark.size());
+    return item.nameBegin;
+  }
+  uint32_t endOfName(const Item &item) const {
+    const uint32_t begin = beginOfName(item);
+    return begin == item.nameBegin ? item.nameEnd : endOfName(begin);
+  }
   /// After `#100`, `#<name>`, `R1`, `NAME`.
   uint32_t endOfName(uint32_t begin) const {
     const llvm::StringRef all = snapshot_.text();

@@ -25,6 +25,7 @@ public:
       codes_.push_back(&code);
       groups_ |= code.group == noGroup ? 0 : uint64_t(1) << code.group;
       exclusive_ |= code.exclusive;
+      cancelsCycle_ |= code.cancelsCycle;
       miscellaneous_ += code.letter == 'M';
     }
     for (const Word &word : request.context.block.words) {
@@ -42,6 +43,7 @@ public:
   llvm::ArrayRef<const CodeInfo *> codes() const { return codes_; }
   AddressMask written() const { return written_; }
   bool empty() const { return words_ == 0; }
+  bool cancelsCycle() const { return cancelsCycle_; }
 
   /// Whether the control takes `code` beside what the block holds.
   bool allows(const CodeInfo &code) const {
@@ -59,7 +61,7 @@ private:
   uint64_t groups_ = 0; ///< of which the block has a code
   AddressMask written_ = 0;
   unsigned words_ = 0, miscellaneous_ = 0, mostMiscellaneous_ = 0;
-  bool exclusive_ = false;
+  bool exclusive_ = false, cancelsCycle_ = false;
 };
 
 /// Whether the program writes `G1` for `G01`: the first code with one digit tells.
@@ -94,6 +96,17 @@ std::string spelling(const CodeInfo &code, bool short_) {
 
 bool isRequired(const WordSpec &spec) { return spec.need != Need::Optional; }
 
+/// `P`, or `${1|P,X,U|}` where one of several is wanted.
+std::string oneOf(const Dialect &dialect, AddressMask any, unsigned number) {
+  const std::string words = dialect.alternatives(any); // "P, X or U"
+  llvm::SmallVector<llvm::StringRef, 8> names;
+  llvm::SplitString(words, names, ", ");
+  llvm::erase_value(names, "or");
+  if (names.size() == 1)
+    return words;
+  return "${" + std::to_string(number) + "|" + llvm::join(names, ",") + "|}";
+}
+
 /// `CYCLE81(${1:RTP}, …)`, `G83 Z${1:depth} …`; empty: the name alone does.
 std::string snippetOf(const Dialect &dialect, const CodeInfo &code, llvm::StringRef name) {
   unsigned most = 0, lastRequired = 0;
@@ -122,8 +135,9 @@ std::string snippetOf(const Dialect &dialect, const CodeInfo &code, llvm::String
   for (const WordSpec &spec : code.words) {
     if (!isRequired(spec) || !spec.any || spec.variable || !spec.when.active.empty())
       continue;
-    const std::string names = dialect.alternatives(spec.any);
-    out += " " + llvm::StringRef(names).split(' ').first.str() + placeholder(++number, spec.note);
+    const std::string address = oneOf(dialect, spec.any, number + 1);
+    number += address.front() == '$' ? 2 : 1;
+    out += " " + address + placeholder(number, spec.note);
   }
   return number ? out : std::string();
 }
@@ -160,7 +174,7 @@ void completeWords(const CompletionRequest &request) {
   AddressMask offered = 0;
   llvm::SmallVector<const CodeInfo *, 8> readers(block.codes().begin(), block.codes().end());
   if (const CodeInfo *cycle = request.executed.before.activeCode(dialect, StandardGroup::Cycle);
-      cycle && request.executed.before.cycleActive(dialect) == Truth::Yes)
+      cycle && request.executed.before.cycleActive(dialect) == Truth::Yes && !block.cancelsCycle())
     readers.push_back(cycle);
   llvm::SmallSet<uint64_t, 16> variables;
   for (const CodeInfo *code : readers)
