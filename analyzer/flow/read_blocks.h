@@ -24,12 +24,25 @@ struct KnownFlow {
   StateUse use;
 };
 
+/// What executing a block costs, in plain moves.
+inline uint64_t workOf(const Block &block) {
+  constexpr uint64_t statement = 4; // expressions
+  constexpr uint64_t turn = 8;      // states that wait and meet
+  const auto turns = [](const Item &item) {
+    return item.kind == ItemKind::Structure || item.kind == ItemKind::Jump ||
+           item.kind == ItemKind::End;
+  };
+  return block.items.empty() ? 1 : llvm::any_of(block.items, turns) ? turn : statement;
+}
+
 /// A block of the text as it was read, and what is known of it.
 struct KeptBlock {
-  explicit KeptBlock(const Block &read) : block(read), calculation(calculationOf(read)) {}
+  explicit KeptBlock(const Block &read)
+      : block(read), calculation(calculationOf(read)), work(workOf(read)) {}
 
   const Block block;
   const std::optional<Calculation> calculation;
+  const uint64_t work; ///< see `workOf`
   llvm::SmallVector<KnownCalculation, 0> calculations;
   llvm::SmallVector<std::unique_ptr<KnownBlocks::Known>, 0> moves; ///< `before`: the situation
   llvm::SmallVector<KnownFlow, 0> flows;

@@ -103,8 +103,7 @@ void RegionRun::calculate(const KnownCalculation &known, const Calculated &gives
   done_ = nullptr;
   calculated_ = true;
   outcome_ = known.outcome.get();
-  blockUse_ = known.use;
-  stateUse |= blockUse_;
+  noteUse(known.use);
   written_ = gives.writes ? kept_->calculation->target : 0;
   if (written_) {
     value_ = gives.written();
@@ -144,8 +143,7 @@ RegionRun::Again RegionRun::flowAgain(KeptBlock &kept) {
   done_ = nullptr;
   calculated_ = false;
   outcome_ = known->outcome.get();
-  blockUse_ = known->use;
-  stateUse |= blockUse_;
+  noteUse(known->use);
   tell(live);
   return leave();
 }

@@ -58,9 +58,11 @@ void RegionRun::readStraight() {
 bool RegionRun::goOnAsKnown() {
   if (!modes_ || !known_ || run_.inFull || run_.listeners.watchArrivals())
     return false;
-  const uint32_t first = at_;
+  if (!goesStraight())
+    return false;
+  const uint32_t first = at_, limit = straightLimit();
   const bool isMain = isStraight();
-  while (!run_.stopped && goesStraight() && (isMain || readsBySpelling()) && !takeOver()) {
+  while (!run_.stopped && at_ < limit && (isMain || readsBySpelling()) && !takeOver()) {
     KnownBlocks::Known *const known = knownHere();
     if (!known && !spelling_ && passEmptyLines())
       continue;
@@ -164,9 +166,7 @@ void RegionRun::make(KnownBlocks::Known &known, Live &live) {
   done_ = &known;
   calculated_ = false;
   outcome_ = &known.outcome;
-  blockUse_ = known.use;
-  if (recorder_)
-    stateUse |= blockUse_;
+  noteUse(known.use);
   known.move.make(*block_, unit_.source.id(), before_, live.state, known.outcome, numbers_);
   leaveModes(known, live.state);
 }

@@ -16,17 +16,6 @@ namespace {
 /// The system is asked for the memory that is held once in so many.
 constexpr uint64_t memoryInterval = 1024;
 
-/// What executing a block costs, in plain moves.
-uint64_t workOf(const Block &block) {
-  constexpr uint64_t statement = 4; // expressions
-  constexpr uint64_t turn = 8;      // states that wait and meet
-  const auto turns = [](const Item &item) {
-    return item.kind == ItemKind::Structure || item.kind == ItemKind::Jump ||
-           item.kind == ItemKind::End;
-  };
-  return block.items.empty() ? 1 : llvm::any_of(block.items, turns) ? turn : statement;
-}
-
 /// What a block that is executed for the first time may cost besides without being counted, in
 /// plain moves: a text of blocks that all take as long is still checked in some seconds for each
 /// megabyte.
@@ -221,9 +210,10 @@ bool RegionRun::passOver() {
 /// Counts the block, and what the one before it has cost besides; false: there has been too much.
 bool RegionRun::spend() {
   const uint64_t besides = std::exchange(workDone, 0);
-  const bool isFirst = firstTime_ && region_.depth() == 0 && region_.kind == RegionKind::Main;
+  const bool isFirst = firstTime_ && countsOnce();
   run_.blocks += isFirst;
-  if (!isFirst && !spend(besides + workOf(*block_) * lives_.size()))
+  const uint64_t work = isFirst ? 0 : kept_ ? kept_->work : workOf(*block_);
+  if (!isFirst && !spend(besides + work * lives_.size()))
     return false;
   if (isFirst && besides > usualWork && !spend(besides))
     return false;

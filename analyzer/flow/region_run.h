@@ -45,6 +45,9 @@ private:
   bool readOver();
   bool nobodyIsTold() const;
   void goOnUntold(Live &live);
+  bool makeUntold(MachineState &state);
+  void tellStill(Live &live);
+  void goOnAtOnce(Live &live, uint32_t limit, bool wantStill);
   void goOnRecorded(Live &live);
   /// Whether the block at `at_` is the only one that follows, for one state.
   bool goesStraight() const {
@@ -86,6 +89,11 @@ private:
   void readStraight();
   bool doAsKnown(Live &live);
   void make(KnownBlocks::Known &known, Live &live);
+  /// What executing the block looks at, where that is recorded.
+  void noteUse(const StateUse &use) {
+    if (recorder_)
+      stateUse |= blockUse_ = use;
+  }
   void leaveModes(KnownBlocks::Known &known, const MachineState &state);
   void learn(Live &live);
   /// What is to be noted of every block that was read; false: the analysis was cancelled.
@@ -117,6 +125,8 @@ private:
   bool passEmptyLines();
   bool spend();
   bool spend(uint64_t work);
+  /// Whether blocks that are executed for the first time are those of the main program.
+  bool countsOnce() const { return region_.depth() == 0 && region_.kind == RegionKind::Main; }
   uint32_t straightLimit() const;
   void decideSkip();
   void announce();

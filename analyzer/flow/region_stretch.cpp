@@ -71,18 +71,53 @@ void RegionRun::goOnUntold(Live &live) {
   keepBefore(live.state);
   done_ = nullptr;
   while (!run_.stopped && at_ < limit && readOver() && noteRead() && spend()) {
-    move_->keepPlaces(live.state, before_); // nobody looks at more of what was before the block
-    keepOrigins(live.state);
-    move_->make(*block_, unit_.source.id(), before_, live.state);
-    if (wantStill && move_->leadsNowhere(before_, live.state)) {
-      copyMotion(before_, live.state); // the block before it has led there
-      run_.visits.begin();
-      run_.visits.visit(live.path);
-      run_.listeners.executed(stepOf(live), true, run_.stopped);
-      run_.endStop();
-    }
+    if (makeUntold(live.state) && wantStill)
+      tellStill(live);
     at_ = next_;
+    if (firstTime_ && countsOnce() && !block_->tapeInside)
+      goOnAtOnce(live, limit, wantStill);
   }
+}
+
+/// Makes the move that was read; whether it leads nowhere.
+bool RegionRun::makeUntold(MachineState &state) {
+  if (!outcome_->codes.empty())
+    keepOrigins(state);
+  // Nobody looks at more of what was before the block than at its places.
+  return move_->goOn(*block_, unit_.source.id(), before_, state);
+}
+
+void RegionRun::tellStill(Live &live) {
+  copyMotion(before_, live.state); // the block before it has led there
+  run_.visits.begin();
+  run_.visits.visit(live.path);
+  run_.listeners.executed(stepOf(live), true, run_.stopped);
+  run_.endStop();
+}
+
+/// Some further blocks of a text that is executed for the first time, which are counted together.
+void RegionRun::goOnAtOnce(Live &live, uint32_t limit, bool wantStill) {
+  constexpr uint64_t most = cancelInterval / 4;
+  const uint32_t first = at_;
+  uint32_t last = first, end = first;
+  uint64_t made = 0;
+  bool isStill = false;
+  while (made < most && end < limit && !isStill &&
+         quick_->readAlike(end, unit_.dialect->axisWords, *pattern_)) {
+    isStill = makeUntold(live.state) && wantStill;
+    last = std::exchange(end, block_->next);
+    activation_.lastEnd = block_->end;
+    ++made;
+  }
+  if (!made)
+    return;
+  noteText(end);
+  run_.blocks += made;
+  activation_.lastBegin = last;
+  at_ = last;
+  if (countSteps(made) && isStill)
+    tellStill(live);
+  at_ = end;
 }
 
 /// As `goOnUntold`, up to where what is recorded has to be looked at. What blocks and sleeping

@@ -102,7 +102,7 @@ std::optional<double> allowanceOf(const Dialect &dialect, const MachineState &st
 
 std::optional<double> radiusOfTool(const Dialect &dialect, const MachineProfile &machine,
                                    const MachineState &state) {
-  if (!state.commons.empty())
+  if (state.commons.mayBeGivenFrom(firstNamedVariable))
     for (const ToolRadiusSource::Place &place : dialect.toolRadius.places)
       if (const SetRadius found = radiusIn(place, dialect, state); found.set)
         return found.radius;

@@ -20,6 +20,27 @@ void PlainMove::make(const Block &block, FileId file, const MachineState &before
     trackDepth(before, state, isRapid);
 }
 
+bool PlainMove::goOn(const Block &block, FileId file, MachineState &before,
+                     MachineState &state) const {
+  if (!simple || !restated.empty()) {
+    keepPlaces(state, before);
+    make(block, file, before, state);
+    return leadsNowhere(before, state);
+  }
+  bool isStill = true;
+  for (const Step &step : steps) {
+    Interval &position = state.at(step.target.axis);
+    const double target = block.words[step.word].value() + 0.0;
+    isStill &= position.lo == target && position.hi == target;
+    before.at(step.target.axis) = position;
+    position.lo = position.hi = target;
+  }
+  state.machineAxes &= ~simple;
+  if (tracksDepth)
+    trackDepth(before, state, isRapid);
+  return isStill;
+}
+
 uint32_t simpleAxes(llvm::ArrayRef<PlainMove::Step> steps, const Block &block, double unit) {
   uint32_t axes = 0;
   for (const auto &[word, target] : steps) {

@@ -58,6 +58,8 @@ struct PlainMove {
   /// Does what executing the block does, after a block that only differs in its numbers and that
   /// has left the same facts.
   void make(const Block &block, FileId file, const MachineState &before, MachineState &state) const;
+  /// As `keepPlaces`, `make` and `leadsNowhere` one after the other.
+  bool goOn(const Block &block, FileId file, MachineState &before, MachineState &state) const;
   /// Makes the places in `before`, from which the last such move led to `after`, those in `after`.
   void keepPlaces(const MachineState &after, MachineState &before) const {
     for (const Step &step : steps)

@@ -21,6 +21,12 @@ const Variables::Entry *Variables::find(uint64_t number) const {
   if (!data_)
     return nullptr;
   const auto &entries = data_->entries;
+  if (entries.empty())
+    return nullptr;
+  // Most often the numbers of those before it have no gaps.
+  const uint64_t guess = number - entries.front().number;
+  if (guess < entries.size() && entries[guess].number == number)
+    return &entries[guess];
   const auto *const at = std::lower_bound(entries.begin(), entries.end(), number, before);
   return at != entries.end() && at->number == number ? &*at : nullptr;
 }
@@ -47,6 +53,17 @@ bool Variables::empty() const {
   return !data_ || data_->entries.empty();
 }
 
+bool Variables::mayBeGivenFrom(uint64_t key) const {
+  touch();
+  if (othersGiven_ != Truth::No || !data_)
+    return othersGiven_ != Truth::No;
+  const auto &entries = data_->entries;
+  for (auto at = entries.rbegin(); at != entries.rend() && at->number >= key; ++at)
+    if (at->given != Truth::No)
+      return true;
+  return false;
+}
+
 Truth Variables::given(uint64_t number) const {
   touch();
   const Entry *entry = find(number);
@@ -69,9 +86,9 @@ Variables Variables::numbered(llvm::ArrayRef<Value> values) {
   Variables result;
   result.data_ = new SharedList<Entries>;
   Entries &entries = result.data_->entries;
-  entries.reserve(values.size());
-  for (const Value &value : values)
-    entries.push_back({entries.size() + 1, value});
+  entries.resize_for_overwrite(values.size());
+  for (size_t i = 0; i < values.size(); ++i)
+    entries[i] = {i + 1, values[i]};
   return result;
 }
 
@@ -79,12 +96,12 @@ void Variables::write(const Entry &entry) {
   const Entry *const known = find(entry.number);
   if (known && known->value == entry.value && known->given == entry.given)
     return; // others may go on sharing the list
+  const size_t index = known ? size_t(known - data_->entries.begin()) : 0;
   auto &entries = ownEntries(data_);
-  auto *const at = std::lower_bound(entries.begin(), entries.end(), entry.number, before);
   if (known)
-    *at = entry;
+    entries[index] = entry;
   else
-    entries.insert(at, entry);
+    entries.insert(std::lower_bound(entries.begin(), entries.end(), entry.number, before), entry);
 }
 
 void Variables::erase(uint64_t number) {

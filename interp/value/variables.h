@@ -31,6 +31,8 @@ public:
   /// Forgets everything: all variables unknown, and any of them may have been given a value.
   void forget();
   bool empty() const;
+  /// Whether the program may have given a value to a variable with this key, or a higher one.
+  bool mayBeGivenFrom(uint64_t key) const;
 
   static Variables join(const Variables &a, const Variables &b);
   static Variables widen(const Variables &previous, const Variables &next);

@@ -1,5 +1,6 @@
 // A code without a word that it requires.
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -39,10 +40,18 @@ public:
       return isMine(code, spec) && !(byName && spec.any & ctx.dialect().axisWords) &&
              !(named && spec.role == Role::Program);
     });
+    if (!named && isByShape(ctx.code(event)))
+      sleepInShape();
   }
 
 private:
   static constexpr llvm::StringLiteral id{"block-missing-word"};
+
+  /// Whether no number of the block decides what is missing.
+  static bool isByShape(const CodeInfo &code) {
+    return code.action != Action::Sleep && !asksNumbers(code, id) &&
+           llvm::none_of(code.words, [](const WordSpec &spec) { return asksNumber(spec.when); });
+  }
 
   /// `WHEN $A_IN[1]==1`, and no DO.
   static void withoutAction(const SyntaxIssue &issue, RuleContext &ctx) {

@@ -100,6 +100,8 @@ public:
       zone(ctx);
     if (isZone(code, ctx.dialect()))
       side(event, ctx);
+    else if (isByShape(code, ctx.block()))
+      sleepInShape();
   }
 
 private:
@@ -192,6 +194,14 @@ private:
                      shortNumber(leastAlarm_), shortNumber(greatestAlarm_));
       return;
     }
+  }
+
+  /// Whether no number of the block decides what is said of the code.
+  static bool isByShape(const CodeInfo &code, const Block &block) {
+    return code.action != Action::Reset && !asksNumbers(code, id) &&
+           llvm::none_of(code.words, [&](const WordSpec &spec) {
+             return spec.hasRange && wordFor(block, spec);
+           });
   }
 
   /// A code that limits where the tool may be, or how fast the spindle turns.

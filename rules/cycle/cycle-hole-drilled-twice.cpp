@@ -58,72 +58,74 @@ class HoleList {
 public:
   Row row;
 
+  /// The block of the first hole at its place.
+  struct Made {
+    uint32_t begin, end;
+    uint64_t key; ///< of the place
+  };
+
   bool continues(const HolePlace &place) const {
     return place.depth == depth_ && place.list == list_;
   }
-  /// The first hole at that place; null: there is none.
-  const HolePlace *find(const HolePlace &place) const {
-    if (slots_.empty())
-      return nullptr;
-    const uint16_t at = slots_[slotOf(place.key)];
-    return at ? &places_[at - 1] : nullptr;
+  /// The first hole at that place of the list; null: there is none.
+  const Made *find(const HolePlace &place) const {
+    return slots_.empty() ? nullptr : holeAt(slotOf(place.key));
   }
   /// The hole that the same list has made there before; null: there is none.
-  const HolePlace *add(const HolePlace &place) {
+  const Made *add(const HolePlace &place) {
     if (!continues(place))
       clear();
     depth_ = place.depth;
     list_ = place.list;
-    return addToSame(place.key, [&] { places_.push_back(place); });
+    return addToSame(place.key, place.block.offset, place.end.offset);
   }
-  /// The same of the next hole of the row, one of `kind`, where that continues the list.
-  const HolePlace *addNext(const HolePlace &kind, uint32_t begin, uint32_t end) {
-    return addToSame(row.key, [&] {
-      HolePlace &place = places_.emplace_back(kind);
-      place.block.offset = begin;
-      place.end.offset = end;
-      place.key = row.key;
-    });
-  }
+  /// The same of the hole of a block that goes on with the row, where that continues the list.
+  const Made *addNext(uint32_t begin, uint32_t end) { return addToSame(row.key, begin, end); }
 
 private:
   static constexpr size_t longestList = 5000;
   /// A power of two: a third of them is taken at most, so that the next free one is near.
   static constexpr size_t slotCount = 1u << 14;
+  /// A slot holds the index of a hole, from 1, and above it the number of the list to which it
+  /// belongs: those of lists before it are free.
+  static constexpr unsigned indexBits = 16;
+  static constexpr uint32_t mostLists = (uint32_t(1) << (32 - indexBits)) - 1;
 
-  /// The hole of that key; null: there was none, or the list is too long, and `append` has added
-  /// it.
-  template <typename Append>
-  const HolePlace *addToSame(uint64_t key, Append append) {
-    if (places_.size() > longestList)
+  /// The hole of that key; null: there was none, or the list is too long, and it was added.
+  const Made *addToSame(uint64_t key, uint32_t begin, uint32_t end) {
+    if (made_.size() > longestList)
       return nullptr;
     const size_t slot = slotOf(key);
-    if (const uint16_t at = slots_[slot])
-      return &places_[at - 1];
-    append();
-    taken_.push_back(uint16_t(slot));
-    slots_[slot] = uint16_t(places_.size());
+    if (const Made *const known = holeAt(slot))
+      return known;
+    made_.push_back({begin, end, key});
+    slots_[slot] = number_ << indexBits | uint32_t(made_.size());
     return nullptr;
+  }
+  /// The hole of that slot; null: it is free.
+  const Made *holeAt(size_t slot) const {
+    const uint32_t index = slots_[slot] ^ number_ << indexBits;
+    return index - 1 < made_.size() ? &made_[index - 1] : nullptr;
   }
   /// Where the hole of that key is, or would be.
   size_t slotOf(uint64_t key) const {
     size_t slot = key % slotCount;
-    while (slots_[slot] && places_[slots_[slot] - 1].key != key)
+    for (const Made *made = holeAt(slot); made && made->key != key; made = holeAt(slot))
       slot = (slot + 1) % slotCount;
     return slot;
   }
   void clear() {
-    slots_.resize(slotCount);
-    for (const uint16_t slot : taken_)
-      slots_[slot] = 0;
-    taken_.clear();
-    places_.clear();
+    if (slots_.empty() || number_ == mostLists) {
+      slots_.assign(slotCount, 0);
+      number_ = 0;
+    }
+    ++number_;
+    made_.clear();
   }
 
-  /// The first hole at each place of the list that is being run.
-  std::vector<HolePlace> places_;
-  std::vector<uint16_t> slots_; ///< by key: index in `places_`, from 1; 0: none
-  std::vector<uint16_t> taken_; ///< those slots that hold one
+  std::vector<Made> made_;      ///< the first hole at each place of the list that is being run
+  std::vector<uint32_t> slots_; ///< by key
+  uint32_t number_ = 0;         ///< of the list, from 1
   unsigned depth_ = ~0u;        ///< of the hole that was added last
   TextPlace list_;              ///< the same
 };
@@ -185,7 +187,7 @@ private:
     for (const HolePlace &place : holes) { // of the list that is being run
       if (!list().continues(place))
         break;
-      if (const HolePlace *known = list().find(place); known && known->block != place.block)
+      if (const auto *known = list().find(place); known && known->begin != place.block.offset)
         return false;
     }
     // Of its lists the last one alone goes on.
@@ -316,7 +318,7 @@ private:
       return true;
     // A hole that is the first one at its place is put into the list as it is made.
     if (!isGathering() && list().continues(kind->place) &&
-        !list().addNext(kind->place, ctx.block().begin, ctx.block().end))
+        !list().addNext(ctx.block().begin, ctx.block().end))
       return true;
     HolePlace place = kind->place;
     place.block.offset = ctx.block().begin;
@@ -369,19 +371,18 @@ private:
   /// Adds the hole to its list; true: it was reported.
   bool wasHereBefore(const Event &event, const HolePlace &place, RuleContext &ctx) const {
     note(place);
-    const HolePlace *known = list().add(place);
+    const HoleList::Made *const known = list().add(place);
     if (!known)
       return false;
     // Another depth at the same place is a second step, and a longer path cannot be one list.
     const CodeInfo &code = ctx.code(event);
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
-    const HolePlace &other = *known;
-    if (other.block == place.block || (deeper && place.list.offset < ctx.block().begin))
+    if (known->begin == place.block.offset || (deeper && place.list.offset < ctx.block().begin))
       return false;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
-          .note(SourceRange{place.block.file, other.block.offset, other.end.offset},
+          .note(SourceRange{place.block.file, known->begin, known->end},
                 "this block was here already");
     return true;
   }
