@@ -2,6 +2,7 @@
 #include "tests/support/language_client.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"
+#include "tests/support/sanitized.h"
 
 #include <gmock/gmock.h>
 
@@ -11,20 +12,11 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define NCVET_SANITIZED
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define NCVET_SANITIZED
-#endif
-
 class Crash : public ::testing::Test {
 protected:
   void SetUp() override {
-#ifdef NCVET_SANITIZED
-    GTEST_SKIP() << "under a sanitizer a crash ends the process";
-#endif
+    if (sanitized)
+      GTEST_SKIP() << "under a sanitizer a crash ends the process";
     shop.binary(places::crashingProgram());
     shop.file("good.nc", programWithoutFeed());
     shop.file("other.nc", programWithoutFeed());

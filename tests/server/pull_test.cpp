@@ -71,9 +71,9 @@ TEST_F(CallingPrograms, FindingsOfAClosedFileComeWithTheCallerWhereTheClientTake
 }
 
 TEST_F(CallingPrograms, TheWorkspaceTellsThemOnce) {
-  const Json folders = {Json{{"uri", "file://" + shop.path().string()}, {"name", "shop"}}};
   LanguageClient client;
-  client.initialize(pulling, {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}}, folders);
+  client.initialize(pulling, {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}},
+                    workspaceOf(shop.path()));
   client.open(main, mainText);
   pull(client, main);
   const Json items =
@@ -87,9 +87,9 @@ TEST(PullDiagnostics, AWorkspaceOfManyFilesComesInParts) {
   Shop shop;
   for (int i = 10; i < 80; ++i)
     shop.file("O00" + std::to_string(i) + ".nc", "O00" + std::to_string(i) + "\nG99999\nM30\n");
-  const Json folders = {Json{{"uri", "file://" + shop.path().string()}, {"name", "shop"}}};
   LanguageClient client;
-  client.initialize(pulling, {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}}, folders);
+  client.initialize(pulling, {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}},
+                    workspaceOf(shop.path()));
   const int64_t id = client.ask("workspace/diagnostic", {{"previousResultIds", Json::array()},
                                                          {"partialResultToken", "part"}});
   size_t files = 0;

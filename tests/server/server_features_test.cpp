@@ -25,14 +25,12 @@ protected:
   void SetUp() override {
     shop_.file("O0001.nc", turning).file("O0002.nc", "%\nO2 (CHAMFER)\nG01 X10. F0.1\nM99\n%\n");
     path_ = (shop_.path() / "O0001.nc").string();
-    Json folders = Json::array();
-    folders.push_back({{"uri", "file://" + shop_.path().string()}, {"name", "shop"}});
     client_.initialize(
         Json::parse(
             R"({"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
                                          "hover": {"contentFormat": ["markdown"]},
                                          "completion": {"completionItem": {"snippetSupport": true}}}})"),
-        {{"dialect", "haas-lathe"}}, folders);
+        {{"dialect", "haas-lathe"}}, workspaceOf(shop_.path()));
     client_.open(path_, turning);
   }
   Json ask(const std::string &method, Json more = Json::object()) {

@@ -249,11 +249,10 @@ TEST(LanguageServer, AClientThatPullsGetsDiagnosticsByRequestOnly) {
 TEST(LanguageServer, TheWorkspaceIsCheckedWhenItIsWanted) {
   Shop shop;
   shop.file("good.nc", "O1\nM30\n").file("inner/bad.nc", "O2\nG99999\nM30\n");
-  Json folders = Json::array();
-  folders.push_back({{"uri", "file://" + shop.path().string()}, {"name", "shop"}});
   LanguageClient client;
   client.initialize({{"textDocument", {{"diagnostic", Json::object()}}}},
-                    {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}}, folders);
+                    {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}},
+                    workspaceOf(shop.path()));
   const Json report =
       client.request("workspace/diagnostic", {{"previousResultIds", Json::array()}});
   ASSERT_EQ(report["items"].size(), 2u);
@@ -264,11 +263,10 @@ TEST(LanguageServer, TheWorkspaceIsCheckedWhenItIsWanted) {
 TEST(LanguageServer, AClosedFileOfTheWorkspaceIsCheckedAgainWhenItIsWritten) {
   Shop shop;
   shop.file("a.nc", "O2\nG99999\nM30\n");
-  Json folders = Json::array();
-  folders.push_back({{"uri", "file://" + shop.path().string()}, {"name", "shop"}});
   LanguageClient client;
   client.initialize({{"textDocument", {{"diagnostic", Json::object()}}}},
-                    {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}}, folders);
+                    {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}},
+                    workspaceOf(shop.path()));
   const auto items = [&] {
     return client.request("workspace/diagnostic",
                           {{"previousResultIds", Json::array()}})["items"][0]["items"];
@@ -339,9 +337,16 @@ TEST(LanguageServer, ALongDocumentIsAnsweredAlikeAfterManyChanges) {
   client.initialize(Json::object(), options);
   client.open(path, text);
   Json last = client.diagnostics(path);
+  // On a busy machine a program may still be followed; a later answer is of all of it.
   const auto ask = [&](LanguageClient &server, unsigned line) {
-    return server.request("textDocument/hover",
-                          {{"textDocument", documentOf(path)}, {"position", at(line, 0)}});
+    Json hover;
+    for (int again = 0; again < 100; ++again) {
+      hover = server.request("textDocument/hover",
+                             {{"textDocument", documentOf(path)}, {"position", at(line, 0)}});
+      if (hover.dump().find("still being followed") == std::string::npos)
+        break;
+    }
+    return hover;
   };
   const char *const lines[] = {"F77.\n", "T2 M06\n", "(X)\n", "G91\n", "X1.\n"};
   int version = 1;

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <deque>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -22,6 +23,11 @@ inline std::vector<std::string> codes(const Json &diagnostics) {
     all.push_back(std::to_string(diagnostic["range"]["start"]["line"].get<int>() + 1) + " " +
                   diagnostic["code"].get<std::string>());
   return all;
+}
+
+/// The folder as the only one of a workspace, as `initialize` takes it.
+inline Json workspaceOf(const std::filesystem::path &folder) {
+  return Json::array({{{"uri", "file://" + folder.string()}, {"name", "shop"}}});
 }
 
 /// Starts `ncvet lsp` and talks to it. Answers and notifications are waited for with a limit; what
