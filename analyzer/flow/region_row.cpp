@@ -1,7 +1,7 @@
 // Rows of holes of a region: blocks of one cycle in force that only say where the next hole is.
 // What they do is what the general way in region_known.cpp does.
 #include "analyzer/flow/region_run.h"
-#include "interp/state/copy_motion.h"
+#include "interp/value/work_meter.h"
 
 namespace ncvet {
 
@@ -9,17 +9,19 @@ namespace ncvet {
 /// they are, so that no mode is looked at, and the state before them differs in their places alone.
 void RegionRun::goOnInRow(KnownBlocks::Known &first) {
   const MachineState &state = lives_[0].state;
-  if (recorder_ || replay_ || !isStraight() || !isOfRow(first, state))
+  if (recorder_ || replay_ || !isStraight() || !countsOnce() || !isOfRow(first, state))
     return;
-  const uint32_t limit = straightLimit();
+  const uint32_t limit = straightLimit(), begin = at_;
+  constexpr uint64_t most = cancelInterval / 4; // counted together
   KnownBlocks::Known *known = &first;
-  bool isFirst = true;
+  uint64_t made = 0;
+  firstTime_ = true;
   run_.visits.begin();
   run_.visits.visit(lives_[0].path);
-  while (!run_.stopped && at_ < limit) {
+  while (made < most && !run_.stopped && at_ < limit) {
     spelling_ = known_->read(at_);
     rowEnd_ = at_;
-    if (!spelling_)
+    if (!spelling_ || spelling_->block.tapeInside)
       break;
     if (spelling_->serial != known->spelling) {
       known = known_->find(*spelling_, modesHere());
@@ -29,15 +31,26 @@ void RegionRun::goOnInRow(KnownBlocks::Known &first) {
     rowEnd_ = spelled_ = ~0u;
     block_ = pattern_ = &spelling_->block;
     kept_ = nullptr;
-    if (!noteRead() || !spend())
-      break;
-    if (std::exchange(isFirst, false))
-      keepBefore(state);
-    else
+    if (made++)
       done_->move.catchUpPlace(state, before_);
+    else
+      keepBefore(state);
     makeInRow(*known);
   }
   run_.endStop();
+  if (made)
+    countRow(begin, made);
+}
+
+/// Counts the holes of a row that begins at `begin`; they are executed for the first time.
+void RegionRun::countRow(uint32_t begin, uint64_t made) {
+  const uint32_t end = std::exchange(at_, begin);
+  noteText(end);
+  at_ = end;
+  run_.blocks += made;
+  activation_.lastBegin = block_->begin;
+  activation_.lastEnd = block_->end;
+  countSteps(made);
 }
 
 /// Whether it leaves all of the state as it is, but where the hole is.
@@ -59,7 +72,9 @@ void RegionRun::makeInRow(KnownBlocks::Known &known) {
     run_.visits.begin();
     run_.visits.visit(live.path);
   }
-  at_ = next_;
+  if (const uint64_t besides = std::exchange(workDone, 0); besides > usualWork)
+    spend(besides);
+  at_ = block_->next;
 }
 
 } // namespace ncvet

@@ -16,11 +16,6 @@ namespace {
 /// The system is asked for the memory that is held once in so many.
 constexpr uint64_t memoryInterval = 1024;
 
-/// What a block that is executed for the first time may cost besides without being counted, in
-/// plain moves: a text of blocks that all take as long is still checked in some seconds for each
-/// megabyte.
-constexpr uint64_t usualWork = 1024;
-
 bool asksOperator(const Outcome &outcome, const Dialect &dialect) {
   return llvm::any_of(outcome.codes, [&](const CodeUse &use) {
     const Action action = dialect.codes[use.code].action;

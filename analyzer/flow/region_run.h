@@ -62,6 +62,7 @@ private:
   void goOnInRow(KnownBlocks::Known &first);
   bool isOfRow(const KnownBlocks::Known &known, const MachineState &state) const;
   void makeInRow(KnownBlocks::Known &known);
+  void countRow(uint32_t begin, uint64_t made);
   KnownBlocks::Known *knownHere();
   /// How control leaves a block that was executed before.
   enum class Again : uint8_t { NotKnown, GoesOn, Leaves };
@@ -160,6 +161,10 @@ private:
             firstTime_ && run_.callStack.empty() ? known_.get() : nullptr,
             kept_ ? uint64_t(unit_.source.id()) << 32 | at_ : 0};
   }
+  /// What a block that is executed for the first time may cost besides without being counted, in
+  /// plain moves: a text of blocks that all take as long is still checked in some seconds for each
+  /// megabyte.
+  static constexpr uint64_t usualWork = 1024;
   /// The cancel flag is looked at once in so many blocks (a power of two).
   static constexpr uint64_t cancelInterval = 256;
 

@@ -3,12 +3,16 @@
 
 namespace ncvet {
 
-void PlainMove::make(const Block &block, FileId file, const MachineState &before,
-                     MachineState &state) const {
+inline void PlainMove::restate(const Block &block, FileId file, MachineState &state) const {
   for (const Restated &code : restated) {
     const Word &word = block.words[code.word];
     state.origin.setGroup(code.group, {file, word.offset, block.endOf(word)});
   }
+}
+
+void PlainMove::make(const Block &block, FileId file, const MachineState &before,
+                     MachineState &state) const {
+  restate(block, file, state);
   if (simple) {
     makeSimply(steps, block, state);
     state.machineAxes &= ~simple;
@@ -22,11 +26,12 @@ void PlainMove::make(const Block &block, FileId file, const MachineState &before
 
 bool PlainMove::goOn(const Block &block, FileId file, MachineState &before,
                      MachineState &state) const {
-  if (!simple || !restated.empty()) {
+  if (!simple) {
     keepPlaces(state, before);
     make(block, file, before, state);
     return leadsNowhere(before, state);
   }
+  restate(block, file, state);
   bool isStill = true;
   for (const Step &step : steps) {
     Interval &position = state.at(step.target.axis);

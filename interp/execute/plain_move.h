@@ -71,6 +71,9 @@ struct PlainMove {
       return before.at(step.target.axis) == after.at(step.target.axis);
     });
   }
+
+private:
+  void restate(const Block &block, FileId file, MachineState &state) const;
 };
 
 /// Bit per axis of the steps when each number is a coordinate as it is; 0: one of them counts
