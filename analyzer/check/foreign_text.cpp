@@ -20,6 +20,12 @@ constexpr uint64_t unreadablePartOfNamed = 5; // a fifth
 constexpr uint64_t fewestWrong = 3;
 constexpr uint64_t wrongPart = 20; // a twentieth
 
+/// A fault that is one in the language of any control: it is told by itself.
+bool isOfAnyControl(const Finding &finding) {
+  const llvm::StringRef id = allRules()[finding.rule].info.id;
+  return id == "syntax-unclosed-comment" || id == "syntax-missing-decimal-point";
+}
+
 /// What a control says to the language of another one: no block, no code, no word of its own.
 bool isOfLanguage(const Finding &finding) {
   const llvm::StringRef category = allRules()[finding.rule].info.category;
@@ -41,7 +47,7 @@ struct WrongLines {
 private:
   void add(const Finding &finding, uint32_t line) {
     all.insert(line);
-    if (isOfLanguage(finding))
+    if (isOfLanguage(finding) && !isOfAnyControl(finding))
       ofLanguage.insert(line);
     if (allRules()[finding.rule].info.category == "block") {
       firstCode = firstCode ? firstCode : &finding;
@@ -108,7 +114,9 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   one.message = formatted("{0} of {1} blocks {2}; the first: {3}", counted->size(),
                           std::max<uint64_t>(origin.blocks, counted->size()), cause, one.message);
   one.fix.reset();
-  llvm::erase_if(findings, [&](const Finding &finding) { return finding.range.file == file; });
+  llvm::erase_if(findings, [&](const Finding &finding) {
+    return finding.range.file == file && !(other.hasTable && isOfAnyControl(finding));
+  });
   findings.insert(findings.begin(), std::move(one));
 }
 

@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "formats/text/number_text.h"
 #include "interp/geometry/circle.h"
 
 #include <cmath>
@@ -11,10 +12,17 @@
 namespace ncvet {
 namespace {
 
+/// An arc that would join its neighbours smoothly with another radius, in units of the program.
+struct OtherRadius {
+  SourceRange range;
+  double radius = 0;
+};
+
 struct ArcDoublesBackMemory {
   bool joins = false; ///< an arc by its radius joins its neighbours smoothly
   /// Those that would do so the other way round, by their places.
   std::map<TextPlace, SourceRange> turned;
+  std::map<TextPlace, OtherRadius> other; ///< those that would do so with another radius
 };
 
 class ArcDoublesBack final : public StatefulRule<ArcDoublesBackMemory> {
@@ -29,6 +37,8 @@ public:
 
   /// One arc of all: what is done throughout is meant.
   void finish(const FileSummary &, RuleContext &ctx) const override {
+    if (memory().joins && memory().other.size() == 1)
+      tellRadius(memory().other.begin()->second, ctx);
     if (!memory().joins || memory().turned.size() != 1)
       return;
     if (auto finding = ctx.report(memory().turned.begin()->second))
@@ -133,8 +143,9 @@ private:
     const auto turned = [&](const Vector &way) { return turnedAbout(chord, way); };
     const Vector begin = arc->direction(arc->from), end = arc->direction(arc->to);
     const bool joins = begin.dot(*before) > smooth;
-    if (joins ? memory().joins // nothing new
-              : turned(begin).dot(*before) < smooth || memory().turned.size() > 1)
+    if (!joins && turned(begin).dot(*before) < smooth)
+      return byOtherRadius(event, *arc, *before, ctx);
+    if (joins ? memory().joins : memory().turned.size() > 1) // nothing new
       return;
     if (begin.dot(turned(begin)) > corner)
       return;
@@ -147,6 +158,37 @@ private:
       memory().joins |= end.dot(after) > smooth;
     else if (turned(end).dot(after) > smooth && memory().turned.size() < 2)
       memory().turned[{ctx.source().id(), ctx.block().begin}] = ctx.blockRange();
+  }
+
+  /// A corner at both ends, where the arc with another radius over the same chord makes none.
+  void byOtherRadius(const Event &event, const ContourElement &arc, const Vector &before,
+                     RuleContext &ctx) const {
+    constexpr double flattest = 0.17; // sine of ten degrees to the chord
+    constexpr double alike = 0.05;    // of the radius
+    constexpr double little = 0.02;   // mm: coordinates are rounded
+    const Vector chord = (arc.to - arc.from).normalized();
+    const double sine = cross(before, chord) * (event.motion == MotionKind::ArcCw ? -1 : 1);
+    const double radius = distance(arc.from, arc.to) / (2 * sine);
+    if (memory().other.size() > 1 || sine < flattest || before.dot(chord) < -1e-6 ||
+        std::fabs(radius - arc.radius()) < std::max(alike * arc.radius(), little))
+      return;
+    PathAhead ahead(ctx);
+    const auto next = ahead.next() ? contourElementOf(ahead.executed()) : std::nullopt;
+    if (!next || next->length() < radius / 2 ||
+        turnedAbout(chord, before).dot(next->direction(next->from)) <= smooth)
+      return;
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    if (!unit)
+      return;
+    const Word &word = *ctx.arcWords().radius;
+    memory().other[{ctx.source().id(), ctx.block().begin}] = {ctx.range(word), radius / *unit};
+  }
+
+  static void tellRadius(const OtherRadius &arc, RuleContext &ctx) {
+    if (auto finding = ctx.report(arc.range))
+      finding.message("the arc of `{0}` makes a corner at both of its ends, and with a radius of "
+                      "{1} it would join them smoothly, as others of the file do",
+                      ctx.text(arc.range), shortNumber(std::round(arc.radius * 10'000) / 10'000));
   }
 
   /// An arc of more than half a turn, which its sign makes it, that would join both neighbours
@@ -181,6 +223,12 @@ private:
     return 2 * way.dot(chord) * chord - way;
   }
 
+  /// An arc over the chord may go on into that way smoothly, in less than half a turn.
+  static bool isChordOfCorner(const Vector &chord, const Vector &next) {
+    constexpr double straight = 0.98;
+    return chord.dot(next) > -1e-6 && chord.dot(next) < straight;
+  }
+
   /// False: by the text of the next block it goes on neither as the arc ends nor as it would when
   /// it were turned the other way round, or not in the one of both of which there is something to
   /// learn.
@@ -197,7 +245,8 @@ private:
     const Vector end = leftOf(*arc.end - *centre).normalized() * (clockwise ? -1 : 1);
     const Vector chord = (*arc.end - *arc.start).normalized();
     if ((!memory().joins && end.dot(*next) > nearly) ||
-        (memory().turned.size() <= 1 && turnedAbout(chord, end).dot(*next) > nearly))
+        (memory().turned.size() <= 1 && turnedAbout(chord, end).dot(*next) > nearly) ||
+        (memory().other.size() <= 1 && end.dot(*next) < slight && isChordOfCorner(chord, *next)))
       return true;
     const Block &block = *ctx.nextAlike();
     ctx.index().noteRead(block.begin, block.next);
@@ -324,8 +373,9 @@ private:
     return Vector(leftOf(from - centre).normalized() * (clockwise ? -1 : 1));
   }
 
-  static constexpr double smooth = 0.9996, corner = 0.94; ///< cosines of 1.6 and 20 degrees
-  double cosine_ = 0; ///< of the turn from which on the path doubles back
+  static constexpr double smooth = 0.9996, corner = 0.94,
+                          slight = 0.98; ///< cosines of 1.6, 20 and 11 degrees
+  double cosine_ = 0;                    ///< of the turn from which on the path doubles back
   std::array<AddressMask, axisCount + 1> wordsOf_{}; ///< the words of each axis
 };
 

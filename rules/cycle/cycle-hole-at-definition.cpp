@@ -61,6 +61,35 @@ public:
   }
 
 private:
+  /// Axes of which the program has said where they are, by a move or not.
+  static uint16_t knownAxes(const MachineState &state) {
+    uint16_t axes = 0;
+    for (unsigned i = 0; i < axisCount; ++i)
+      axes = uint16_t(axes | unsigned(state.position[i].isConstant()) << i);
+    return axes;
+  }
+
+  static bool hasNumber(const RuleContext &ctx) {
+    return ctx.index().programAt(ctx.block().begin).hasHeader();
+  }
+
+  /// Whether the program begins with its head: a number, or a code of its own.
+  static bool isWhole(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (program.kind == ProgramKind::Subprogram)
+      return false;
+    if (program.hasHeader())
+      return true;
+    Block first;
+    const auto &reader = ctx.index().reader();
+    for (uint32_t at = program.begin; at < program.end; at = first.next) {
+      reader.read(at, first);
+      if (!first.isEmpty())
+        break;
+    }
+    return findCode(ctx.dialect(), first, {Action::ProgramHead}) != nullptr;
+  }
+
   /// The first hole of a whole program: some block has gone to its place.
   void firstPlace(const Event &event, RuleContext &ctx) const {
     memory().axes |= event.axes;
@@ -73,18 +102,9 @@ private:
       return;
     memory().said = true;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    const auto open = uint16_t(plane & ~memory().axes);
-    if (!open)
-      return;
-    Block first;
-    const auto &reader = ctx.index().reader();
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    for (uint32_t at = program.begin; at < program.end; at = first.next) {
-      reader.read(at, first);
-      if (!first.isEmpty())
-        break;
-    }
-    if (!findCode(ctx.dialect(), first, {Action::ProgramHead}))
+    const auto open = uint16_t(plane & ~memory().axes & ~knownAxes(ctx.before()));
+    // In a program with a number one axis alone may be left where it is.
+    if (!open || !isWhole(ctx) || (open != plane && hasNumber(ctx)))
       return; // what comes before a fragment places it
     const char *const along = open == plane                     ? "its place"
                               : open == 1u << unsigned(Axis::X) ? "its X"

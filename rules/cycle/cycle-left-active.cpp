@@ -50,6 +50,7 @@ public:
     });
     to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
     onlyWhereRun_ = to.flag("onlyWhereRun");
+    machineMoveTold_ = to.flag("machineMoveTold");
     if (to.flag("referenceStops"))
       to.onAction({Action::ReferenceReturn, Action::ReferenceFrom, Action::ReferenceCheck});
   }
@@ -85,8 +86,12 @@ public:
     if (!cycle || endsHere(event, *cycle, ctx))
       return;
     // Whatever moves the axes next does so by a motion code.
-    if (onlyWhereRun_ && event.kind == EventKind::Code && isPass(*cycle))
+    if (onlyWhereRun_ && isPass(*cycle) &&
+        (event.kind == EventKind::Code || event.kind == EventKind::ProgramEnd))
       return;
+    if (machineMoveTold_ && event.kind == EventKind::ToolChange &&
+        before.must(Fact::AtMachinePosition))
+      return; // the same was said there
     // Home and to the next tool: one end is missing, and told once.
     const bool reference = event.kind == EventKind::Code && isReference(ctx.code(event));
     const bool change = event.kind == EventKind::ToolChange;
@@ -396,7 +401,8 @@ private:
         cycle.base, ctx, [] {}, judge);
   }
   AfterCalls afterCalls_;
-  bool onlyWhereRun_ = false; ///< told only where the next position would run it
+  bool machineMoveTold_ = false; ///< of a machine position under a cycle the table speaks
+  bool onlyWhereRun_ = false;    ///< told only where the next position would run it
 
   /// Codes beside which an active cycle makes nothing.
   static bool waits(Action action) {

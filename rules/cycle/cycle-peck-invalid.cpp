@@ -44,6 +44,8 @@ public:
         return topicOf(of, spec) == WordTopic::Peck;
       });
       checkOrder(event, code, ctx);
+      if (!again)
+        checkDepth(event, code, ctx);
     }
     if (!again)
       return ctx.reportNotices(id, event);
@@ -56,6 +58,29 @@ public:
   }
 
 private:
+  /// A peck deeper than the hole: it is drilled in one stroke.
+  static void checkDepth(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    constexpr double least = 5;  // mm: a spot is drilled in one stroke
+    constexpr double much = 1.2; // of the hole
+    const Word *const word = wordOf(ctx.block(), code, Role::Peck);
+    const auto peck = valueOf(ctx, code, Role::Peck);
+    const auto from = kept(ctx.after(), code, Role::Retract);
+    const auto to = kept(ctx.after(), code, Role::Depth);
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    if ((code.cycle != CycleKind::Peck && code.cycle != CycleKind::ChipBreak) || !word ||
+        !word->has(wordPoint) || !peck || !from || !to || !unit || ctx.dialect().isLathe() ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) !=
+            Truth::Yes)
+      return;
+    const double hole = *from - *to;
+    if (hole * *unit < least || *peck < much * hole)
+      return;
+    if (auto finding = ctx.report(*word, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is more than the whole hole: `{1}` drills it in one stroke",
+                   ctx.text(*word), code.name);
+  }
+
   /// Shrinking pecks: the reduction and the least peck are smaller than the first one.
   static void checkOrder(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const Word *firstWord = wordOf(ctx.block(), code, Role::PeckFirst);

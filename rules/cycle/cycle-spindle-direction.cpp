@@ -43,23 +43,26 @@ public:
     }
     if (event.kind != EventKind::CycleStart || !makesHole(code.cycle))
       return sleepInShape();
+    // Where a cycle may start it itself, the way in which it turns is still what the program says.
+    const bool itself = code.spindle == SpindleNeed::StartsItself ||
+                        (code.spindle == SpindleNeed::Any && !ctx.dialect().isLathe());
     uint8_t needed = 0;
     if (code.spindle == SpindleNeed::Clockwise)
       needed = spindleCw;
     else if (code.spindle == SpindleNeed::CounterClockwise)
       needed = spindleCcw;
-    else if (code.spindle == SpindleNeed::StartsItself && code.cycle == CycleKind::Tap)
+    else if (itself && code.cycle == CycleKind::Tap)
       needed = spindleCw;
-    else if (code.spindle == SpindleNeed::StartsItself && code.cycle == CycleKind::TapLeft)
+    else if (itself && code.cycle == CycleKind::TapLeft)
       needed = spindleCcw;
     if (!needed || needed == spindle || ctx.before().may(Fact::UnknownCode))
       return;
-    const bool itself = code.spindle == SpindleNeed::StartsItself;
     if (auto finding = ctx.report(event, event.certain))
       finding
-          .message(itself ? "`{0}` starts with {1} by itself, but the spindle turns with {2}: "
-                            "perhaps the tap of the other hand is meant"
-                          : "`{0}` needs the spindle turning with {1}, but it turns with {2}",
+          .message(code.spindle == SpindleNeed::StartsItself
+                       ? "`{0}` starts with {1} by itself, but the spindle turns with {2}: "
+                         "perhaps the tap of the other hand is meant"
+                       : "`{0}` needs the spindle turning with {1}, but it turns with {2}",
                    code.name, needed == spindleCw ? "M03" : "M04",
                    spindle == spindleCw ? "M03" : "M04")
           .note(ctx.before().origin.of(StatePart::Spindle), "the spindle is started here");

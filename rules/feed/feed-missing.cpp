@@ -29,6 +29,7 @@ public:
         ctx.block().hasAny(ctx.dialect().blockFeedWords) || // a feed of its own block
         ctx.before().must(Fact::InContour) ||               // it has feeds of its own
         ctx.before().profile == ProfileMode::Recorded ||    // so has the cycle that reads it
+        !ctx.block().issues.empty() ||                      // what it does cannot be read
         ctx.after().may(Fact::UnknownCode)) {
       return sleepInShape();
     }

@@ -2,8 +2,11 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/references.h"
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
+
+#include <set>
 
 namespace ncvet {
 namespace {
@@ -142,7 +145,53 @@ public:
   }
 
 private:
-  static void tell(FindingBuilder &finding, bool local, bool builtIn, const RuleContext &ctx) {
+  /// By file: see `uncalled`.
+  TextAnswers<FileId, int64_t> uncalled_;
+
+  /// The number of the one program of the file that returns, and that no block of it calls, where
+  /// the call is the only one without a target; -1: there is none.
+  int64_t uncalled(const RuleContext &ctx) const {
+    const Flow &flow = ctx.outcome().flow;
+    if (flow.macro || isNamed(flow) || !flow.target.isConstant())
+      return -1;
+    return uncalled_.of(ctx.source().id(), [&] { return onlyUncalled(ctx); });
+  }
+
+  static int64_t onlyUncalled(const RuleContext &ctx) {
+    std::set<int64_t> called, returning;
+    constexpr unsigned most = 20'000; // blocks
+    unsigned read = 0;
+    for (const ProgramInfo &program : ctx.index().programs())
+      for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+        if (++read > most)
+          return -1;
+        if (program.number >= 0 && findCode(ctx.dialect(), block, {Action::Return}))
+          returning.insert(program.number);
+        if (!findCode(ctx.dialect(), block,
+                      {Action::CallProgram, Action::MacroCall, Action::MacroModal}))
+          continue;
+        const Word *const number = block.find(letterAddress('P'));
+        if (!number || !number->isNumber())
+          return -1; // what it calls the text does not say
+        called.insert(int64_t(number->value()) % 10'000);
+      }
+    size_t open = 0;
+    for (const int64_t number : called)
+      open += llvm::none_of(ctx.index().programs(), [&](const ProgramInfo &program) {
+        return program.number % 10'000 == number;
+      });
+    int64_t orphan = -1;
+    for (const int64_t number : returning) {
+      if (called.count(number % 10'000))
+        continue;
+      if (orphan >= 0)
+        return -1;
+      orphan = number;
+    }
+    return open == 1 ? orphan : -1;
+  }
+
+  void tell(FindingBuilder &finding, bool local, bool builtIn, const RuleContext &ctx) const {
     const Flow &flow = ctx.outcome().flow;
     const CodeInfo *const meant = isNamed(flow) ? mistypedFor(ctx) : nullptr;
     if (meant)
@@ -157,6 +206,11 @@ private:
       finding.message("`{0}` calls a program that was not found, and this one has a label of that "
                       "name: a contour between two labels names both",
                       ctx.text(ctx.flowRange()));
+    else if (const int64_t orphan = uncalled(ctx); orphan >= 0)
+      finding.severity(Severity::Warning)
+          .message("`{0}` calls a program that was not found, and nothing calls O{1} of this file: "
+                   "was that meant?",
+                   ctx.text(ctx.flowRange()), orphan);
     else if (builtIn)
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: nothing is known of what it does",

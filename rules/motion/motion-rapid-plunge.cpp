@@ -5,6 +5,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
 
@@ -239,8 +240,17 @@ private:
     if (!(event.axes >> unsigned(Axis::Z) & 1) || !to.isConstant() || to.value() >= 0 ||
         !event.certain || event.inMachineCoordinates() || !ctx.after().frames.empty() ||
         ctx.before().may(Fact::UnknownCode) || !comesWithLength(ctx.dialect(), ctx.block()) ||
-        ctx.callDepth() > 0 || !othersComeAbove(ctx))
+        ctx.callDepth() > 0)
       return;
+    if (!othersComeAbove(ctx)) {
+      if (isBelowAll(ctx))
+        if (auto finding = ctx.report(event))
+          finding.severity(Severity::Warning)
+              .message("the tool comes down at rapid to {0} below zero, which is deeper than "
+                       "anything that the program cuts",
+                       shortLength(ctx, -to.value()));
+      return;
+    }
     if (auto finding = ctx.report(event))
       finding.message("the tool comes down at rapid to {0} below zero, and all others of the "
                       "program to above it",
@@ -252,6 +262,44 @@ private:
     const Word *const z = block.find(letterAddress('Z'));
     return z && z->isNumber() && findCode(dialect, block, {Action::LengthPositive}) &&
            !findCode(dialect, block, {Action::Incremental, Action::Linear, Action::MachineMove});
+  }
+
+  /// By file and program: the lowest Z but one that a block brings with a length, and whether there
+  /// are others; above zero: none is below it.
+  TextAnswers<std::pair<FileId, uint32_t>, std::pair<double, double>> lowest_;
+
+  /// All other places of the program along Z are above that of the block, and some block cuts.
+  bool isBelowAll(const RuleContext &ctx) const {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    ctx.index().reader(); // the program is looked through, now or before
+    const auto &[first, second] =
+        lowest_.of({ctx.source().id(), program.begin}, [&] { return lowestPlaces(program, ctx); });
+    const double here = ctx.block().find(letterAddress('Z'))->value();
+    return here <= first && second < 0 && here < 2 * second;
+  }
+
+  /// The two lowest Z of a program; zeros where it has subprograms, or counts in increments.
+  static std::pair<double, double> lowestPlaces(const ProgramInfo &program,
+                                                const RuleContext &ctx) {
+    double first = 0, second = 0;
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      if (findCode(
+              ctx.dialect(), block,
+              {Action::CallProgram, Action::CallLocal, Action::MacroCall, Action::MacroModal}) ||
+          !block.items.empty())
+        return {};
+      const Word *const z = block.find(letterAddress('Z'));
+      if (!z || findCode(ctx.dialect(), block,
+                         {Action::MachineMove, Action::ReferenceReturn, Action::WorkOffset}))
+        continue;
+      if (!z->isNumber())
+        return {};
+      if (z->value() < first)
+        second = std::exchange(first, z->value());
+      else
+        second = std::min(second, z->value());
+    }
+    return {first, second};
   }
 
   /// At least two tools of the program come to above zero with their length, and but this one none

@@ -1,4 +1,5 @@
 // A rapid move to where the tool has cut, and then the tool is changed.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -27,9 +28,12 @@ public:
     else if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
     margin_ = to.number("margin", 10);
+    to.onAction({Action::ReferenceReturn});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Code)
+      return staysFromHome(event, ctx);
     if (zero_)
       nowhere(event, ctx);
     if (event.motion != MotionKind::Rapid)
@@ -62,6 +66,32 @@ public:
   }
 
 private:
+  /// `G28 U0`, and `W0` in the next block: the code counts in its own block alone.
+  static void staysFromHome(const Event &event, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const uint16_t home = axesOf(dialect, ctx.block());
+    BlocksAhead ahead(ctx);
+    Block next;
+    if (!home || !ahead.next(next) || !next.items.empty() || next.words.empty() ||
+        (next.addresses & ~dialect.axisWords) || (axesOf(dialect, next) & home))
+      return;
+    const bool incremental =
+        ctx.after().isActive(dialect, StandardGroup::Distance, {Action::Incremental}) == Truth::Yes;
+    const bool still = llvm::all_of(next.words, [&](const Word &word) {
+      return word.isNumber() && word.mantissa == 0 &&
+             (incremental || (dialect.incrementWords & maskOf(word.address)));
+    });
+    if (!still)
+      return;
+    const SourceRange range = wordsRange(ahead.unit().source.id(), next);
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("this block moves nothing: `{0}` counts in its own block only, so this axis "
+                   "does not go home",
+                   ctx.text(*event.word))
+          .note(ctx.blockRange(), "the return is here");
+  }
+
   /// A feed move of coordinates alone that ends where it begins.
   void nowhere(const Event &event, RuleContext &ctx) const {
     if (event.motion != MotionKind::Feed || event.inMachineCoordinates() || event.code == noCode ||

@@ -76,10 +76,10 @@ private:
     return ctx.index().label(program, stem, program.body).has_value();
   }
 
-  /// Neither a move nor a code of the machine: it is read before a program, and gives values.
+  /// No block has a word of an axis: it is read before a program, and gives values, or is the head
+  /// that others are pasted to.
   static bool onlySets(const ProgramInfo &program, const RuleContext &ctx) {
-    const AddressMask acts =
-        ctx.dialect().axisWords | maskOf(letterAddress('M')) | maskOf(letterAddress('T'));
+    const AddressMask acts = ctx.dialect().axisWords;
     for (const Block &block : blocksWith(ctx.index(), program, acts))
       if (block.hasAny(acts))
         return false;

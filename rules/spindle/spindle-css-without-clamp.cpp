@@ -1,8 +1,10 @@
 // Constant surface speed without a limit of the spindle's speed.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -20,10 +22,12 @@ public:
     for (const std::string &name : to.dialect().facts->spindle.limitVariables)
       variables_.push_back(variableKey(name));
     if (!limit_.empty() || to.dialect().speedLimitWords)
-      to.onAction({Action::SurfaceSpeed});
+      to.onAction({Action::SurfaceSpeed, Action::SpeedLimit});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (ctx.code(event).action == Action::SpeedLimit)
+      return limitAlone(event, ctx);
     const MachineState &state = ctx.after();
     if (state.must(Fact::SpeedLimitSet) ||
         (state.may(Fact::SpeedLimitSet) && state.may(Fact::UnknownCode)))
@@ -52,6 +56,63 @@ public:
   }
 
 private:
+  /// What the text makes of each limit of a program: whether a cutting speed, or a speed of the
+  /// spindle, is what S means after it.
+  struct Limits {
+    std::vector<uint32_t> bare; ///< blocks of limits after which S is a speed of the spindle unsaid
+    unsigned surface = 0;       ///< limits that a cutting speed follows
+  };
+  TextAnswers<std::pair<FileId, uint32_t>, Limits> limitsOf_; ///< by file and program
+
+  /// A limit that nothing needs: G96 is missing after it, where all other limits of the program
+  /// have it.
+  void limitAlone(const Event &event, RuleContext &ctx) const {
+    if (ctx.before().may(Fact::UnknownCode) || ctx.callDepth() > 0)
+      return;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    ctx.index().reader(); // the program is looked through, now or before
+    const Limits &known =
+        limitsOf_.of({ctx.source().id(), program.begin}, [&] { return readLimits(program, ctx); });
+    if (known.surface == 0 || known.bare.size() != 1 || known.bare.front() != ctx.block().begin)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Warning)
+          .message("no constant cutting speed comes after this limit, as after the others of the "
+                   "program: the S that follows it is a speed of the spindle");
+  }
+
+  static Limits readLimits(const ProgramInfo &program, const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    Limits found;
+    bool surface = false, open = false, waits = false, speed = false, cut = false;
+    uint32_t at = 0;
+    const auto close = [&] {
+      waits = std::exchange(open, false) && !speed;
+      if (speed && cut && !surface)
+        found.bare.push_back(at);
+      speed = cut = false;
+    };
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      if (limits(block, ctx)) {
+        close();
+        open = true;
+        at = block.begin;
+        continue;
+      }
+      if (findCode(dialect, block, {Action::SurfaceSpeed, Action::ConstantSpeed})) {
+        close();
+        surface = findCode(dialect, block, {Action::SurfaceSpeed}) != nullptr;
+        found.surface += surface && waits;
+        waits = false;
+      }
+      speed |= open && block.has(letterAddress('S'));
+      cut |= speed && findCode(dialect, block,
+                               {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle});
+    }
+    close();
+    return found;
+  }
+
   static bool limits(const Block &block, const RuleContext &ctx) {
     return block.has(letterAddress('S')) &&
            findReading(ctx.dialect(), block,

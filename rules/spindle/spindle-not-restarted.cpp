@@ -1,6 +1,7 @@
 // A cut after rigid tapping, a tool change or an oriented stop, which have stopped the spindle.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/project.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
@@ -61,7 +62,7 @@ public:
       return;
     }
     const bool certain = event.certain && ctx.before().must(Fact::SpindleStoppedByTap);
-    if (!certain && ctx.before().may(Fact::UnknownCode))
+    if (!certain && (ctx.before().may(Fact::UnknownCode) || isStartedBetween(ctx)))
       return;
     const Origin &tool = ctx.before().origin.of(StatePart::Tool);
     if ((tool.known() && memory().measured == tool) || !startsSpindle(ctx))
@@ -101,6 +102,20 @@ private:
       return true;
     for (const CallSite *caller = ctx.caller(); caller && caller->unit; caller = caller->before)
       if (isStartedIn(*caller->unit, ctx.dialect()))
+        return true;
+    return false;
+  }
+
+  /// A block between the stop and here starts the spindle on one of the paths: the conditions of
+  /// stop, start and cut may be the same.
+  static bool isStartedBetween(const RuleContext &ctx) {
+    constexpr unsigned most = 2000; // blocks
+    const Origin &stop = ctx.before().origin.of(StatePart::Spindle);
+    if (!isHere(ctx, stop) || stop.begin >= ctx.block().begin)
+      return false;
+    for (const Block &block :
+         blocks(ctx.index(), ctx.source().lines().lineBegin(stop.begin), ctx.block().begin, most))
+      if (findCode(ctx.dialect(), block, {Action::SpindleCw, Action::SpindleCcw}))
         return true;
     return false;
   }

@@ -1,5 +1,6 @@
 // A feed move or a cutting cycle while the spindle does not turn.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
@@ -72,8 +73,9 @@ public:
       return;
     if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
         (builderStarts_ ? builderMayTurnSpindle(ctx) : builderTurnsAll(ctx)) ||
-        isForHandling(state, ctx) || isBackBoring(state, ctx) ||
-        !memory().once.speaks(origin, ctx) || (startWhereNamed_ && namesNoSpindle(ctx)))
+        (builderStarts_ && isStartedByBuilder(origin, ctx)) || isForHandling(state, ctx) ||
+        isBackBoring(state, ctx) || !memory().once.speaks(origin, ctx) ||
+        (startWhereNamed_ && namesNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
@@ -215,6 +217,22 @@ private:
         return true;
       if (findCode(ctx.dialect(), next, {Action::ToolChange, Action::Cycle}))
         return false;
+    }
+    return false;
+  }
+
+  /// `S2000 M43`: since the stop a code that only the builder knows was given with a speed.
+  static bool isStartedByBuilder(const Origin &stop, const RuleContext &ctx) {
+    constexpr unsigned furthest = 60; // blocks
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block)) {
+      if (isHere(ctx, stop) && block.begin <= stop.begin)
+        return false;
+      if (block.has(letterAddress('S')) && llvm::any_of(block.words, [&](const Word &word) {
+            return word.address == letterAddress('M') && codeOf(ctx.dialect(), word) == noCode;
+          }))
+        return true;
     }
     return false;
   }

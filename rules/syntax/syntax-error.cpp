@@ -87,7 +87,7 @@ private:
     if (assignsInCondition(issue, ctx))
       return "`{0}`: `=` gives a value and compares nothing: `EQ` is meant";
     if (isOpenCondition(issue, ctx))
-      return "`{0}`: a condition wants brackets around all of it: `IF [{0}]`";
+      return "`{0}`: a condition wants brackets around all of it: `[{0}]`";
     if (wantsBrackets(ctx, issue))
       return "`{0}` wants brackets around all of it: outside of brackets the control reads no "
              "operator";
@@ -162,12 +162,13 @@ private:
   /// before.
   static bool isOpenCondition(const SyntaxIssue &issue, const RuleContext &ctx) {
     return llvm::any_of(ctx.block().items, [&](const Item &item) {
-      if (item.kind != ItemKind::If || item.condition >= ctx.block().expressions.size())
+      if ((item.kind != ItemKind::If && item.kind != ItemKind::While) ||
+          item.condition >= ctx.block().expressions.size())
         return false;
       const SourceRange range = ctx.range(ctx.block().expressions[item.condition]);
       const llvm::StringRef text = ctx.text(range);
       if (!text.startswith("["))
-        return false;
+        return text.startswith("#") && range.begin == issue.begin;
       int depth = 0;
       for (size_t i = 0; i < text.size(); ++i) {
         depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
@@ -217,7 +218,11 @@ private:
     const bool loop =
         item.kind == ItemKind::While || item.kind == ItemKind::Do || item.kind == ItemKind::End;
     const bool other = item.kind == ItemKind::Assignment || item.kind == ItemKind::Jump;
-    if (block.words.empty() || !block.issues.empty())
+    if (!block.issues.empty())
+      return;
+    if (item.kind == ItemKind::Assignment && statementsAlone_)
+      withoutThen(item, ctx);
+    if (block.words.empty())
       return;
     if (item.kind == ItemKind::If && &item == &block.items.back() && statementsAlone_)
       return thenWords(item, ctx);
@@ -229,6 +234,21 @@ private:
           .message("`{0}` shares its block with words: the control takes statements in blocks of "
                    "their own",
                    ctx.text(range));
+  }
+
+  /// `IF [#1 GT 5] #2=0`
+  static void withoutThen(const Item &item, RuleContext &ctx) {
+    if (&item == ctx.block().items.begin())
+      return;
+    const Item &condition = *std::prev(&item);
+    if (condition.kind != ItemKind::If ||
+        ctx.source().text(condition.end, item.begin).contains_insensitive("THEN"))
+      return;
+    const SourceRange range = ctx.range(item);
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` after a condition: THEN has to be between them", ctx.text(range))
+          .fix(FixSafety::Unsafe, "insert THEN", ctx.insertBefore(range.begin, "THEN "));
   }
 
   /// `IF [#1 EQ 2] THEN G00 X5.`, `IF [#1 EQ 2] M30`: words in the place of the statement.

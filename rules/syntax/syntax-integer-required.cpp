@@ -21,6 +21,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::WordIssue, EventKind::Syntax, EventKind::Statement});
     codes_ = to.dialect().facts->text.wholeCodes;
+    dropsPoint_ = to.flag("dropsPoint");
     if (to.flag("converted"))
       to.on(EventKind::ToolWord);
     to.onCode([](const CodeInfo &code) {
@@ -130,10 +131,15 @@ private:
     return codes_ < 1 || (codes_ > 1 && codeOf(ctx.dialect(), word) == noCode);
   }
 
-  static void report(const Word &word, RuleContext &ctx) {
+  bool dropsPoint_ = false; ///< `G54.` is read as G54
+
+  void report(const Word &word, RuleContext &ctx) const {
     auto finding = ctx.report(word);
     if (!finding)
       return;
+    if (dropsPoint_ && word.decimals == 0 &&
+        ctx.dialect().addresses[word.address].kind == AddressKind::Code)
+      finding.severity(Severity::Style);
     finding.message("`{0}` takes a whole number without a decimal point", ctx.text(word));
     if (word.decimals == 0)
       finding.fix(FixSafety::Unsafe, "take the decimal point away",

@@ -10,6 +10,7 @@ struct SyntaxMissingDecimalPointMemory {
   std::vector<SourceRange> places; ///< lengths without a point, the first ones of the file
   std::vector<SourceRange> others; ///< further words without one that have it where lengths do
   bool inch = false;               ///< the file has lengths in inches
+  bool metric = false;             ///< it says that it has some in millimetres
 };
 
 class SyntaxMissingDecimalPoint final : public StatefulRule<SyntaxMissingDecimalPointMemory> {
@@ -36,6 +37,7 @@ public:
       return;
     memory().inch |=
         ctx.after().isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) == Truth::Yes;
+    memory().metric |= ctx.after().originOf(ctx.dialect(), StandardGroup::Units).known();
     if (lengths_)
       collect(ctx);
     for (const Word &word : ctx.block().words) {
@@ -114,7 +116,11 @@ private:
   }
 
   /// What a number without a point counts.
-  const char *parts() const { return memory().inch ? "ten-thousandths" : "thousandths"; }
+  const char *parts() const {
+    return memory().inch     ? "ten-thousandths"
+           : memory().metric ? "thousandths"
+                             : "its least increments (0.001 mm or 0.0001 inch)";
+  }
 
   void tell(const SourceRange &place, RuleContext &ctx) const {
     const llvm::StringRef word = ctx.text(place);

@@ -258,7 +258,13 @@ private:
   /// A place that the tool has cut: in units of the program, as far as the text gives it.
   struct Place {
     std::optional<double> x, z;
+    std::optional<double> from; ///< Z at which the cut to `z` began
 
+    /// How far `to` is from the stretch along Z.
+    double besideZ(double to, double unit) const {
+      const double a = *z * unit, b = from.value_or(*z) * unit;
+      return std::max({std::min(a, b) - to, to - std::max(a, b), 0.0});
+    }
     void fill(const Block &block) {
       if (const Word *word = block.find('X'); word && !x)
         x = word->value();
@@ -284,7 +290,7 @@ private:
     SourceRange last;
     const Place cut = lastCut(ctx, last);
     if (!cut.x || !cut.z || last.empty() || std::fabs(x.value() - *cut.x * *unit) > nearX ||
-        std::fabs(z.value() - *cut.z * *unit) > nearZ || isForGang(ctx))
+        cut.besideZ(z.value(), *unit) > nearZ || isForGang(ctx))
       return;
     if (auto finding = ctx.report(event, false))
       finding
@@ -381,7 +387,23 @@ private:
       if (!cuts && hasMotionCode(dialect, block))
         return {};
     }
-    return cuts ? place : Place();
+    if (!cuts)
+      return {};
+    place.from = placeBefore(ctx, block);
+    return place;
+  }
+
+  /// The Z before `block`, as far as the text gives it.
+  static std::optional<double> placeBefore(const RuleContext &ctx, Block &block) {
+    constexpr unsigned furthest = 20; // blocks
+    for (unsigned i = 0; i < furthest && readBack(ctx, block) && isPlain(block); ++i) {
+      if (block.has(letterAddress('T')) || block.hasAny(ctx.dialect().incrementWords) ||
+          findCode(ctx.dialect(), block, {Action::MachineMove, Action::ReferenceReturn}))
+        break;
+      if (const Word *word = block.find('Z'))
+        return word->isNumber() ? std::optional(word->value()) : std::nullopt;
+    }
+    return std::nullopt;
   }
 
   static bool isAbsolute(const Dialect &dialect, const Block &block) {

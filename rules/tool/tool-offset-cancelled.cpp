@@ -1,5 +1,6 @@
 // Work with a tool whose offset is cancelled.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/retracted_offset.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
@@ -17,6 +18,7 @@ class ToolOffsetCancelled final : public StatefulRule<ToolOffsetCancelledMemory>
 public:
   void listen(Subscriptions &to) override {
     edges_ = to.dialect().facts->tools.cuttingEdges;
+    anyDigits_ = to.dialect().facts->tools.anyDigits;
     length_ = to.dialect().lengthByTool != noGroup;
     retracts_ = to.flag("retracts", true);
     if (to.dialect().isLathe() || edges_ || length_)
@@ -42,16 +44,29 @@ public:
       return;
     if (!memory().once.speaks(state.origin.of(StatePart::Tool), ctx))
       return;
+    const bool slip = isSlip(state.tool, ctx) && goesOnToCut(ctx);
+    if (!slip && anyDigits_ && isShort(ctx))
+      return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
-      finding
-          .severity(isSlip(state.tool, ctx) && goesOnToCut(ctx) ? std::optional(Severity::Warning)
-                                                                : std::nullopt)
+      finding.severity(slip ? std::optional(Severity::Warning) : std::nullopt)
           .message("tool {0} moves without an offset: its length, nose radius and tip are missing",
                    int(state.tool))
           .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 
 private:
+  /// `T04`: whether the machine takes it for the station or for the offset is a setting of it.
+  static bool isShort(const RuleContext &ctx) {
+    const Origin &call = ctx.after().origin.of(StatePart::Tool);
+    if (!isHere(ctx, call))
+      return false;
+    Block block;
+    readBlockOf(ctx, call, block);
+    const Word *const word = block.find(letterAddress('T'));
+    constexpr size_t digits = 2;
+    return word && block.endOf(*word) - word->offset <= digits + 1;
+  }
+
   /// Other stations of the file are called with the offsets of their own numbers, this one never.
   static bool isSlip(int32_t tool, const RuleContext &ctx) {
     constexpr unsigned habit = 2; // stations
@@ -177,6 +192,7 @@ private:
            isOfRetract(ctx, off);
   }
 
+  bool anyDigits_ = false; ///< the machine says how the digits of T are split
   bool edges_ = false;
   bool length_ = false;  ///< a code switches the length off alone
   bool retracts_ = true; ///< D0 of a retract is this rule's

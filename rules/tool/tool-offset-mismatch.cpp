@@ -1,6 +1,7 @@
 // An offset number that is not the tool's own.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/program/wanted_blocks.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
 #include <set>
@@ -42,24 +43,8 @@ public:
       return radiusOfOther(event, ctx);
     const MachineState &state = ctx.after();
     const Word &word = *event.word;
-    if (event.kind == EventKind::ToolWord) {
-      if (!event.toolNumber().isConstant() || event.toolNumber().value() < 100)
-        return;
-      const auto whole = int64_t(event.toolNumber().value());
-      const int64_t tool = whole / 100, offset = whole % 100;
-      if (tool == offset || offset == 0 || tool > 99 ||
-          (ownStep_ > 0 && (offset - tool) % ownStep_ == 0) ||
-          (onlyOtherTools_ && !isOnlySlip(tool, offset, ctx)))
-        return;
-      if (auto finding = ctx.report(word)) {
-        finding.message("`{0}` calls tool {1} with offset {2}: it runs with another tool's data",
-                        ctx.text(word), tool, offset);
-        if (word.isNumber())
-          finding.fix(FixSafety::Unsafe, "use the tool's own offset",
-                      ctx.replace(ctx.range(word), formatted("T{0:d2}{0:d2}", tool)));
-      }
-      return;
-    }
+    if (event.kind == EventKind::ToolWord)
+      return station(event, ctx);
     if (ctx.before().switches.areOn(ctx.dialect().dataSwitches)) // what is in the block are data
       return;
     // A tool's own edges are numbered from 1; an H still names a tool of the table.
@@ -75,7 +60,7 @@ public:
          !breaksHabit(word, ctx)))
       return;
     if (auto finding = ctx.report(word)) {
-      if (isLengthOfOther(word, int64_t(event.offset().value()), ctx))
+      if (isLengthOfOther(word, int64_t(event.offset().value()), ctx) || isSlip(word, ctx))
         finding.severity(Severity::Warning);
       if (isOfWaiting(event, ctx)) {
         finding.severity(Severity::Warning)
@@ -97,6 +82,31 @@ public:
   }
 
 private:
+  /// `T0305` on a lathe: station and offset.
+  void station(const Event &event, RuleContext &ctx) const {
+    const Word &word = *event.word;
+    if (!event.toolNumber().isConstant() || event.toolNumber().value() < 100)
+      return;
+    const auto whole = int64_t(event.toolNumber().value());
+    const int64_t tool = whole / 100, offset = whole % 100;
+    if (tool == offset || offset == 0 || tool > 99 ||
+        (ownStep_ > 0 && (offset - tool) % ownStep_ == 0))
+      return;
+    const bool slip =
+        slips_.of({ctx.source().id(), whole}, [&] { return isOnlySlip(tool, offset, ctx); });
+    if (onlyOtherTools_ && !slip)
+      return;
+    if (auto finding = ctx.report(word)) {
+      if (slip)
+        finding.severity(Severity::Warning);
+      finding.message("`{0}` calls tool {1} with offset {2}: it runs with another tool's data",
+                      ctx.text(word), tool, offset);
+      if (word.isNumber())
+        finding.fix(FixSafety::Unsafe, "use the tool's own offset",
+                    ctx.replace(ctx.range(word), formatted("T{0:d2}{0:d2}", tool)));
+    }
+  }
+
   /// `G41 X5.` without a D: the number that is in force was given for the tool before.
   static void radiusOfOther(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before(), &after = ctx.after();
@@ -198,6 +208,19 @@ private:
     return known.keep.count(number) && known.others.size() == 1;
   }
 
+  /// The lengths of at least three others are their own, and a second length of this tool it is
+  /// not.
+  bool isSlip(const Word &word, const RuleContext &ctx) const {
+    constexpr size_t sure = 3; // tools
+    constexpr int64_t ten = 10;
+    if (word.address != letterAddress('H') || !word.isNumber())
+      return false;
+    const Memory &known = numbersOfFile(ctx);
+    return known.others.size() == 1 && known.keep.size() >= sure &&
+           !known.keep.count(*known.others.begin()) &&
+           (int64_t(word.value()) - *known.others.begin()) % ten != 0;
+  }
+
   /// The lengths of all other tools of the file, two at least, have the numbers of their tools:
   /// what is a shop's scheme elsewhere is a slip here. A second length of a tool often lies tens
   /// above its first one.
@@ -233,6 +256,8 @@ private:
     return known;
   }
 
+  /// By file and T word: it is the only one that is not of its own tool.
+  TextAnswers<std::pair<FileId, int64_t>, bool> slips_;
   bool onlyOtherTools_ = false; ///< numbers that no tool of the file has are a shop's scheme
   int64_t ownStep_ = 0;         ///< offsets of one tool lie so far apart; 0: a tool has one
 };

@@ -8,6 +8,7 @@ struct ToolPreloadMismatchMemory {
   SourceRange ready;    ///< the T that waits for a change, in a block of its own
   int64_t number = -1;  ///< of that tool; -1: it is named by a text
   bool changes = false; ///< the program has changed in a tool: T alone does not
+  bool meant = false;   ///< it came with an offset: its change was meant there
 };
 
 class ToolPreloadMismatch final : public StatefulRule<ToolPreloadMismatchMemory> {
@@ -30,6 +31,8 @@ private:
   void named(const Event &event, RuleContext &ctx) const {
     const SourceRange before = memory().ready;
     const int64_t number = memory().number;
+    const bool meant = memory().meant;
+    memory().meant = ctx.block().hasAny(lettersMask("DH")) && !ctx.find({Action::ToolChange});
     memory().ready = ctx.range(*event.word);
     memory().number = numberOf(event);
     if (!before.end || ctx.before().preselected == notSet || ctx.before().may(Fact::UnknownCode) ||
@@ -37,7 +40,7 @@ private:
         isSame(before, number, event, ctx))
       return;
     if (auto finding = ctx.report(*event.word, event.certain))
-      finding
+      finding.severity(meant ? std::optional(Severity::Warning) : std::nullopt)
           .message("`{0}` takes the place of `{1}`, which was got ready and is never changed in",
                    ctx.text(*event.word), ctx.text(before))
           .note(before, "that tool is got ready here");

@@ -23,6 +23,8 @@ public:
     if (missing_)
       checkMissing(event, cycle, ctx);
     const Profile profile = readProfile(ctx);
+    if (profile.known && profile.minZ && !isNone(profile, ctx))
+      checkZ(event, cycle, profile, ctx);
     if (!profile.known || profile.side == Side::Unknown || !profile.minX || isNone(profile, ctx))
       return;
     // A start inside of the contour is that rule's business, and leaves the side in doubt.
@@ -74,6 +76,30 @@ private:
                return action == Action::ReferenceReturn || action == Action::Cycle;
              });
     });
+  }
+
+  /// The allowance along Z points away from the material: towards the end at which the cycle begins
+  /// on the contour, and its faces are cut below their size.
+  static void checkZ(const Event &event, const CodeInfo &cycle, const Profile &profile,
+                     RuleContext &ctx) {
+    constexpr double beside = 1e-6;
+    const Word *const word = wordOf(ctx.block(), cycle, Role::AllowanceZ);
+    const Interval &start = ctx.after().at(Axis::Z);
+    if (!word || !start.isConstant() || ctx.after().inMachineCoordinates(Axis::Z) ||
+        *profile.maxZ - *profile.minZ < beside)
+      return;
+    const Interval value = ctx.value(*word);
+    const bool fromFront = start.value() >= *profile.maxZ - beside;
+    if (!value.isConstant() || value.value() == 0 ||
+        (!fromFront && start.value() > *profile.minZ + beside) || (value.value() > 0) == fromFront)
+      return;
+    if (auto finding = ctx.report(*word, event.certain))
+      finding
+          .message("`{0}` is {1}, but `{2}` begins {3} its contour: roughing cuts its faces below "
+                   "their size",
+                   ctx.text(*word), fromFront ? "negative" : "positive", cycle.name,
+                   fromFront ? "before" : "after")
+          .note(profile.blocks.front().range, "the profile begins here");
   }
 
   /// The distance from the first pass along the contour to the last is signed in the same way.

@@ -172,13 +172,13 @@ private:
       finding.message(
           face ? "`{0}` starts at Z{1}, beyond the face Z{2} that it cuts: the tool returns "
                  "through it at rapid"
-               : "`{0}` starts at X{1}, below the diameter X{2} that it turns, and then leaves "
-                 "outwards: it returned through the part at rapid",
+               : "`{0}` starts at X{1}, below the diameter X{2} that it turns on the outside: it "
+                 "returns through the part at rapid",
           code.name, shortNumber(start.value() / *unit), shortNumber(*end / *unit));
   }
 
-  /// After the passes the tool leaves straight outwards in X, which a boring bar could not do; and
-  /// no later pass is larger.
+  /// The passes lead towards the axis, or after them the tool leaves straight outwards in X, which
+  /// a boring bar could not do; and no later pass is larger.
   static bool leavesOutwards(const RuleContext &ctx, double diameter) {
     BlocksAhead ahead(ctx);
     Block next;
@@ -190,6 +190,8 @@ private:
       if (!findCode(ctx.dialect(), next, {Action::Rapid})) {
         if (hasMotionCode(ctx.dialect(), next) || (x && x->isNumber() && x->value() > diameter))
           return false;
+        if (x && x->isNumber() && x->value() < diameter)
+          return true; // a bore grows from pass to pass
         continue;
       }
       return x && x->isNumber() && x->value() > diameter && !next.hasAny(lettersMask("ZWU")) &&

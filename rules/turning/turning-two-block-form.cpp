@@ -2,12 +2,15 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
 struct TurningTwoBlockFormMemory {
-  SourceRange oneBlock{}; ///< the first cycle in one block
-  SourceRange data{};     ///< the first data block
+  SourceRange oneBlock{};    ///< the first cycle in one block
+  SourceRange data{};        ///< the first data block
+  std::set<CodeIndex> given; ///< cycles whose data were given
 };
 
 class TurningTwoBlockForm final : public StatefulRule<TurningTwoBlockFormMemory> {
@@ -17,7 +20,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleStart);
     mixed_ = to.flag("mixed");
-    if (mixed_ || llvm::any_of(to.dialect().codes, isGroove))
+    if (mixed_ || llvm::any_of(to.dialect().codes, [](const CodeInfo &c) { return c.twoBlock; }))
       to.on(EventKind::CycleRun);
     to.onNotices(id);
   }
@@ -33,7 +36,9 @@ public:
     if (mixed_)
       forms(event, code, ctx);
     if (event.kind == EventKind::CycleRun)
-      return isGroove(code) ? relief(event, code, ctx) : void();
+      return isGroove(code) ? relief(event, code, ctx) : withoutData(event, code, ctx);
+    if (code.twoBlock && ctx.after().pendingCycle == event.code)
+      memory().given.insert(baseOf(event.code, ctx));
     if (!code.twoBlock || ctx.after().pendingCycle != event.code)
       return;
     BlocksAhead ahead(ctx);
@@ -68,6 +73,27 @@ public:
   }
 
 private:
+  static CodeIndex baseOf(CodeIndex code, const RuleContext &ctx) {
+    const CodeIndex base = ctx.dialect().codes[code].base;
+    return base == noCode ? code : base;
+  }
+
+  /// The depth and the retract of roughing are those that the control has kept.
+  void withoutData(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    const CodeIndex base = baseOf(event.code, ctx);
+    if ((code.cycle != CycleKind::RoughTurn && code.cycle != CycleKind::RoughFace) ||
+        !(code.twoBlock || ctx.dialect().codes[base].twoBlock) ||
+        ctx.before().pendingCycle != noCode || ctx.block().has(letterAddress('D')) ||
+        ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode) ||
+        !memory().given.insert(base).second)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Style)
+          .message("`{0}` runs, and no block of the program has given its depth and retract: those "
+                   "of an earlier program count",
+                   code.name);
+  }
+
   /// A grooving cycle of two blocks.
   static bool isGroove(const CodeInfo &code) {
     return code.twoBlock &&

@@ -14,7 +14,7 @@ class VariableNullAsCoordinate final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
 
-  void on(const Event &, RuleContext &ctx) const override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.block().expressions.empty())
       return sleepInShape();
     if (ctx.outcome().known) // all its coordinates are numbers
@@ -37,6 +37,12 @@ public:
           finding.severity(Severity::Warning)
               .message("no call of this macro gives the argument of `{0}`: the control leaves "
                        "the word out and the axis stays",
+                       ctx.text(word));
+      } else if (cutsNothing(event, word, ctx)) {
+        if (auto finding = ctx.report(word))
+          finding.severity(Severity::Warning)
+              .message("a call of this macro does not give the argument of `{0}`, and nothing else "
+                       "moves in this block: the cut is left out",
                        ctx.text(word));
       }
     }
@@ -83,6 +89,27 @@ private:
                        [&] { return noCallGives(number, program, ctx); });
   }
 
+  /// A feed move of this word alone, by an argument that the macro does not ask for and that this
+  /// call leaves out.
+  bool cutsNothing(const Event &event, const Word &word, const RuleContext &ctx) const {
+    const ExpressionOp *const variable = variableOf(word, ctx.block());
+    if (event.kind != EventKind::Motion || !isFeed(event.motion) || !variable || !ctx.caller() ||
+        !ctx.caller()->macro || ctx.before().may(Fact::UnknownCode) ||
+        (ctx.block().addresses & ctx.dialect().axisWords) != maskOf(word.address))
+      return false;
+    const auto number = uint32_t(variable->value);
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    return asked_.of({{ctx.source().id(), program.begin}, number}, [&] {
+      char letter = 'A';
+      while (letter <= 'Z' && macroArgument(letter) != number)
+        ++letter;
+      for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+        if (looksAt(block, number))
+          return false;
+      return letter <= 'Z';
+    });
+  }
+
   static bool noCallGives(uint32_t number, const ProgramInfo &program, const RuleContext &ctx) {
     char letter = 'A';
     while (letter <= 'Z' && macroArgument(letter) != number)
@@ -123,6 +150,8 @@ private:
 
   /// By program and variable: no call gives it.
   TextAnswers<std::pair<std::pair<FileId, uint32_t>, uint32_t>, bool> answers_;
+  /// By program and variable: it is an argument that the macro neither asks for nor gives.
+  TextAnswers<std::pair<std::pair<FileId, uint32_t>, uint32_t>, bool> asked_;
   /// By program: it returns.
   TextAnswers<std::pair<FileId, uint32_t>, bool> returning_;
 };

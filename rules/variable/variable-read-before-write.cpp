@@ -29,6 +29,7 @@ public:
         to.on({EventKind::Statement, EventKind::Block});
     }
     numbered_ = to.flag("numbered");
+    commons_ = to.flag("commons", true);
     if (numbered_)
       to.onChange({EventKind::Block});
     reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
@@ -148,6 +149,7 @@ private:
     }
   }
 
+  bool commons_ = true;   ///< those that keep their values are looked at too
   bool numbered_ = false; ///< variables have numbers after `#`
 
   /// A local variable of a main program, or a common one that the program writes further on, has no
@@ -180,7 +182,8 @@ private:
     const bool local = index > 0 && index <= lastLocal;
     const bool common = index >= firstCommon && index <= lastCommon;
     if (!(local && ctx.before().locals.given(key) == Truth::No) &&
-        !(common && ctx.before().commons.given(key) == Truth::No && isWrittenLater(index, ctx)))
+        !(common && commons_ && ctx.before().commons.given(key) == Truth::No &&
+          isWrittenLater(index, ctx)))
       return;
     if (!isMain(ctx) || !memory().reported.insert(index).second)
       return;

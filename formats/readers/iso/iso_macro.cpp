@@ -62,24 +62,29 @@ bool IsoScanner::scanIf() {
   if (!takeKeyword("IF"))
     return false;
   skipBlanks();
-  if (at_ >= end_ || *at_ != '[') {
+  if (at_ >= end_ || (*at_ != '[' && (*at_ != '#' || lexical_.flowWords))) {
     at_ = begin;
     return false;
   }
   Item item = itemAt(ItemKind::If, begin);
   const char *const condition = at_;
+  const bool open = *at_ != '['; // `IF #1 EQ 2`
   item.condition = operand();
-  if (passComparison()) {
-    Expression &whole = block_.expressions[item.condition];
-    whole.bad = true;
-    whole.end = offset(at_);
-    whole.first = uint32_t(block_.operations.size());
-    whole.count = 1;
-    block_.operations.push_back({Op::Unknown, whole.begin, 0});
-    issue(SyntaxIssueKind::BadExpression, condition, at_);
-  }
+  if (passComparison() || open)
+    spoil(item.condition, condition);
   add(item);
   return true;
+}
+
+/// A condition without brackets around all of it.
+void IsoScanner::spoil(uint16_t condition, const char *begin) {
+  Expression &whole = block_.expressions[condition];
+  whole.bad = true;
+  whole.end = offset(at_);
+  whole.first = uint32_t(block_.operations.size());
+  whole.count = 1;
+  block_.operations.push_back({Op::Unknown, whole.begin, 0});
+  issue(SyntaxIssueKind::BadExpression, begin, at_);
 }
 
 /// `[#1]GE[2]`, a condition without brackets around all of it: passes over what is after its first
@@ -141,7 +146,13 @@ bool IsoScanner::scanWhile() {
   if (!takeKeyword("WHILE"))
     return false;
   skipBlanks();
+  const char *const condition = at_;
+  const bool open = at_ < end_ && *at_ == '#' && !lexical_.flowWords; // `WHILE #1 LT 2 DO1`
   item.condition = operand();
+  if (open && item.condition != noExpression) {
+    passComparison();
+    spoil(item.condition, condition);
+  }
   skipBlanks();
   if (takeKeyword("DO"))
     item.loop = loopNumber();

@@ -88,6 +88,7 @@ private:
   bool scanStatement();
   bool scanIf();
   bool passComparison();
+  void spoil(uint16_t condition, const char *begin);
   bool scanThen();
   bool scanGoto();
   bool scanWhile();

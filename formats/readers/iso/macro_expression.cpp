@@ -252,7 +252,7 @@ bool MacroExpression::operand(unsigned depth) {
     if (names_ && inside + 1 < end_ && *inside == '#' && (inside[1] == '_' || isLetter(inside[1])))
       return bracketedName(Op::Variable);
     ++at_;
-    return group(depth + 1) && take(']');
+    return group(depth + 1) && passComment() && take(']');
   }
   if (isNumberDigit(*at_) || *at_ == '.')
     return number();

@@ -31,6 +31,16 @@ private:
   bool group(unsigned depth);
   bool level(unsigned depth, unsigned strength);
   bool operand(unsigned depth);
+  /// `[#16 (OFFSET)]`: the control takes comments out of a block before it reads it; LinuxCNC does
+  /// not. False: the comment is not closed.
+  bool passComment() {
+    skipBlanks();
+    if (ngc_ || at_ >= end_ || *at_ != '(')
+      return true;
+    while (at_ < end_ && *at_ != ')' && !isLineEnd(*at_))
+      ++at_;
+    return take(')');
+  }
   bool variable(unsigned depth);
   bool named(Op op);
   bool bracketedName(Op op);
