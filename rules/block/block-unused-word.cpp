@@ -61,7 +61,7 @@ public:
                                 dialect.switchWords | dialect.elementWords;
       if ((mask & alone) || !(mask & dialect.known) || (mask & *taken) ||
           word.address == letterAddress('N') || word.address == letterAddress('O') ||
-          isOffsetOfOther(word, ctx) || isVariable(word, ctx))
+          isOffsetOfOther(word, ctx) || isVariable(word, ctx) || namesSpindle(word, ctx))
         continue;
       if (auto finding = ctx.report(word))
         finding
@@ -86,6 +86,12 @@ private:
     return ctx.dialect().addresses[word.address].lineLength &&
            llvm::none_of(ctx.codes(),
                          [&](const CodeUse &use) { return isMotion(ctx.code(use).action); });
+  }
+
+  /// `S500 $1`: the speed of that spindle.
+  static bool namesSpindle(const Word &word, const RuleContext &ctx) {
+    return ctx.block().has(letterAddress('S')) &&
+           llvm::StringRef(ctx.dialect().addressName(word.address)).startswith("$");
   }
 
   /// `I=I+1` after `DEF INT I`: a name that a variable cannot have is told where it is defined.

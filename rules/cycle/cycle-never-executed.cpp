@@ -43,6 +43,8 @@ public:
     if (!parameters_.empty())
       to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) { return countsFrames(code) || code.cancelsCalls; });
+    if (!dialect.isLathe())
+      to.onAction({Action::CycleCancel});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -62,6 +64,8 @@ public:
     }
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
+      if (ctx.code(event).action == Action::CycleCancel && !ctx.code(event).cancelsCalls)
+        positionsLost(ctx);
       if (countsFrames(ctx.code(event)))
         return counts(event, ctx);
       if (ctx.code(event).cancelsCalls)
@@ -99,6 +103,43 @@ public:
   }
 
 private:
+  /// A motion code in a list of holes ends the cycle: the positions from there to its G80 are not
+  /// drilled.
+  static void positionsLost(RuleContext &ctx) {
+    constexpr unsigned furthest = 60; // blocks
+    const Dialect &dialect = ctx.dialect();
+    if (ctx.before().cycleActive(dialect) != Truth::No || ctx.before().may(Fact::UnknownCode))
+      return;
+    constexpr AddressMask plane = maskOf(letterAddress('X')) | maskOf(letterAddress('Y'));
+    Block block;
+    SourceRange ends{};
+    std::string by;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block)) {
+      if (!block.items.empty() || block.skip >= 0 || !block.hasAny(plane))
+        return;
+      const CodeInfo *const cycle = findCode(dialect, block, {Action::Cycle});
+      if (cycle && !ends.empty() && makesHole(cycle->cycle)) {
+        if (auto finding = ctx.report(ends))
+          finding
+              .message("`{0}` ends `{1}`: the positions from here to the code that ends the cycle "
+                       "are not drilled",
+                       by, cycle->name)
+              .note(ctx.blockRange(), "the end that was meant");
+        return;
+      }
+      if (cycle || (block.addresses & dialect.axisWords & ~plane))
+        return;
+      const CodeInfo *const move = findCode(dialect, block, {Action::Rapid, Action::Linear});
+      if (!block.has(letterAddress('G')))
+        continue;
+      if (!move || i == 0 || !ends.empty())
+        return;
+      ends = wordsRange(ctx, block);
+      by = move->name;
+    }
+  }
+
   /// `MCALL SLOT(5)` and `MCALL` in the next block: the program never runs.
   static void endsCall(RuleContext &ctx) {
     Block previous;

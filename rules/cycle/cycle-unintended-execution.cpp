@@ -41,7 +41,9 @@ public:
     if (event.kind == EventKind::Motion)
       return machineMove(event, ctx);
     if (event.kind == EventKind::ToolChange) {
-      if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes && !cycleOutlivesTool(ctx.before()))
+      const CodeInfo *const call = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
+      if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes &&
+          !cycleOutlivesTool(ctx.before()) && call && call->waits)
         if (auto finding = ctx.report(event))
           finding
               .message("the tool changes while a modal call is on: the path to the change and back "

@@ -224,10 +224,18 @@ private:
     // `M05 S0` is a habit and does no harm.
     if (event.speed().value() == 0 && (stops || !runs))
       return;
-    if (event.speed().value() == 0 && modulates(ctx))
+    if (event.speed().value() == 0 && (modulates(ctx) || isOfFurtherSpindle(ctx)))
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));
+  }
+
+  /// `S0 $1`: what is switched so is a laser or a driven tool.
+  static bool isOfFurtherSpindle(const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().words, [&](const Word &word) {
+      return word.isNumber() && word.value() > 0 &&
+             llvm::StringRef(ctx.dialect().addressName(word.address)).startswith("$");
+    });
   }
 
   /// The program starts spindles several times, and names no speed at all: it is set by hand.

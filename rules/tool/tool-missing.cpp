@@ -2,11 +2,13 @@
 #include "analyzer/facts/silent_program.h"
 #include "analyzer/facts/unnamed_tool_change.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
 
 struct ToolMissingMemory {
+  Origin empty; ///< the change that has put the last tool away
   NamelessChanges nameless;
 };
 
@@ -19,8 +21,12 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::ToolChange)
+    if (event.kind == EventKind::ToolChange) {
+      memory().empty = isEmptied(ctx) ? ctx.after().origin.of(StatePart::Tool) : Origin();
       return memory().nameless.see(event, ctx);
+    }
+    if (memory().empty.known())
+      return withoutTool(event, ctx);
     // A change that names no tool brings in none of the program's.
     if (ctx.before().must(Fact::Cut))
       return sleepInShape();
@@ -50,6 +56,31 @@ public:
   }
 
 private:
+  /// `T0 M06` on a mill.
+  static bool isEmptied(const RuleContext &ctx) {
+    return ctx.after().tool == 0 && ctx.before().tool > 0 && !ctx.dialect().isLathe() &&
+           !ctx.dialect().toolChangeByT && !ctx.dialect().facts->tools.cuttingEdges;
+  }
+
+  /// A cut with an empty spindle.
+  void withoutTool(const Event &event, RuleContext &ctx) const {
+    const bool cuts =
+        event.code != noCode &&
+        (event.kind == EventKind::Motion ? isFeed(event.motion) && !event.inMachineCoordinates()
+                                         : event.axes && makesHole(ctx.code(event).cycle));
+    if (!cuts || ctx.after().tool != 0 || ctx.after().may(Fact::UnknownCode))
+      return;
+    const bool turns = ctx.after().spindle == spindleCw || ctx.after().spindle == spindleCcw;
+    const Origin change = std::exchange(memory().empty, Origin());
+    if (!turns)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` cuts with an empty spindle: T0 has put the tool away",
+                   ctx.code(event).name)
+          .note(change, "T0 is changed in here");
+  }
+
   /// Whether the program and its callers have one tool, which is in the machine.
   static bool callsNoTool(const RuleContext &ctx) {
     return noRunningProgramHas(ctx, [&](const Block &block) {

@@ -28,7 +28,7 @@ public:
       to.on(EventKind::OffsetWord);
     if (!to.dialect().isLathe() && !to.dialect().facts->tools.cuttingEdges &&
         !to.dialect().zeros.systems)
-      to.onAction({Action::CompensationLeft, Action::CompensationRight});
+      to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::LengthNegative});
     edges_ = to.dialect().facts->tools.cuttingEdges && !to.dialect().toolChangeByT;
     if (edges_) {
       to.on({EventKind::ToolChange, EventKind::ToolWord});
@@ -39,6 +39,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (edges_)
       return edge(event, ctx);
+    if (event.kind == EventKind::Code && ctx.code(event).action == Action::LengthNegative)
+      return subtracted(event, ctx);
     if (event.kind == EventKind::Code)
       return radiusOfOther(event, ctx);
     const MachineState &state = ctx.after();
@@ -82,6 +84,35 @@ public:
   }
 
 private:
+  /// `G44 H2` where all other tools have G43.
+  void subtracted(const Event &event, RuleContext &ctx) const {
+    const uint32_t program = ctx.index().programAt(ctx.block().begin).begin;
+    const bool only = subtracts_.of({ctx.source().id(), program}, [&] {
+      std::set<int64_t> plus, minus;
+      for (const Block &block :
+           blocksNaming(ctx.index(), ctx.index().programAt(program), ctx.dialect(),
+                        {Action::LengthPositive, Action::LengthNegative})) {
+        const CodeInfo *const code =
+            findCode(ctx.dialect(), block, {Action::LengthPositive, Action::LengthNegative});
+        const Word *const number = block.find(letterAddress('H'));
+        if (code)
+          (code->action == Action::LengthPositive ? plus : minus)
+              .insert(number && number->isNumber() ? int64_t(number->value()) : -1);
+      }
+      return minus.size() == 1 && plus.size() >= 2 && !plus.count(*minus.begin());
+    });
+    if (!only)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` subtracts the length of the tool, which the program adds for the others: "
+                   "the tool goes too deep by twice its length",
+                   ctx.text(*event.word));
+  }
+
+  /// By file and program: one block subtracts a length, and others add theirs.
+  TextAnswers<std::pair<FileId, uint32_t>, bool> subtracts_;
+
   /// `T0305` on a lathe: station and offset.
   void station(const Event &event, RuleContext &ctx) const {
     const Word &word = *event.word;

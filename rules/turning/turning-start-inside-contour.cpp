@@ -31,7 +31,7 @@ public:
       break;
     case CycleKind::TurnPass:
     case CycleKind::FacePass:
-      if (passes_)
+      if (!leadsAway(event, code, ctx) && passes_)
         pass(event, code, ctx);
       break;
     case CycleKind::ThreadPass: // of a list of passes the rule of the thread's start speaks
@@ -175,6 +175,26 @@ private:
                : "`{0}` starts at X{1}, below the diameter X{2} that it turns on the outside: it "
                  "returns through the part at rapid",
           code.name, shortNumber(start.value() / *unit), shortNumber(*end / *unit));
+  }
+
+  /// A pass along the work that begins before the face and leads away from it: it has lost its
+  /// sign.
+  static bool leadsAway(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    constexpr double least = 3; // mm
+    const Interval &start = ctx.after().cycleStart[unsigned(Axis::Z)];
+    const Word *const word = ctx.block().find('Z');
+    if (code.cycle == CycleKind::FacePass || !word || !ctx.codeWord(event) || !start.isConstant() ||
+        start.value() < 0 || ctx.before().inMachineCoordinates(Axis::Z) ||
+        !ctx.after().frames.empty())
+      return false;
+    const auto end = endOf(ctx, Axis::Z, start);
+    if (!end || *end < start.value() + least)
+      return false;
+    if (auto finding = ctx.report(*word, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}`: `{1}` begins before the face of the part and cuts away from it",
+                   ctx.text(*word), code.name);
+    return true;
   }
 
   /// The passes lead towards the axis, or after them the tool leaves straight outwards in X, which
