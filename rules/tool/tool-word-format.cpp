@@ -17,7 +17,8 @@ public:
     digits_ = to.dialect().facts->limits.toolDigits;
     any_ = to.dialect().facts->tools.anyDigits;
     named_ = to.dialect().facts->tools.cuttingEdges;
-    if (to.dialect().isLathe() || digits_ != 0 || named_)
+    pairs_ = to.flag("pairs");
+    if (to.dialect().isLathe() || digits_ != 0 || named_ || pairs_)
       to.on(EventKind::ToolWord);
   }
 
@@ -32,6 +33,8 @@ public:
       return;
     const llvm::StringRef digits = ctx.text(word).drop_front().ltrim(" +-");
     const size_t count = digits.take_while([](char c) { return c >= '0' && c <= '9'; }).size();
+    if (pairs_)
+      return pair(word, digits.take_front(count), ctx);
     if (digits_ != 0) {
       if (count > digits_)
         if (auto finding = ctx.report(word))
@@ -60,6 +63,18 @@ public:
   }
 
 private:
+  /// `T0404` where the whole number is that of the tool.
+  static void pair(const Word &word, llvm::StringRef digits, RuleContext &ctx) {
+    if (digits.size() != 4 || digits.front() != '0' || digits.take_front(2) != digits.drop_front(2))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is tool {1} here: station and offset in one word are those of a lathe's "
+                   "control",
+                   ctx.text(word), word.value());
+  }
+  bool pairs_ = false; ///< a word of two pairs of digits is told
+
   /// `T=""`.
   static void withoutName(const Word &word, RuleContext &ctx) {
     const llvm::StringRef text = ctx.text(word);

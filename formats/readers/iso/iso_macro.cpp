@@ -189,7 +189,8 @@ bool IsoScanner::scanOutputLine(llvm::StringRef keyword) {
     return false;
   const char *const begin = at_;
   at_ = lineEnd();
-  if (!llvm::StringRef(begin, size_t(at_ - begin)).contains(']'))
+  const llvm::StringRef text(begin, size_t(at_ - begin));
+  if (text.count(']') < std::max<size_t>(text.count('['), 1))
     issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
   add(item);
   return true;
