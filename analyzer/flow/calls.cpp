@@ -2,6 +2,7 @@
 #include "analyzer/flow/calls.h"
 
 #include "analyzer/flow/call_arguments.h"
+#include "interp/state/zero_point.h"
 
 namespace ncvet {
 
@@ -16,10 +17,11 @@ bool Calls::recurs(const Region &region, const Callee &callee) const {
 }
 
 /// What programs that are not known leave as it is, by custom.
-static void keepModes(const MachineState &before, MachineState &after, const Dialect &dialect) {
+static void keepCommonModes(const MachineState &before, MachineState &after,
+                            const Dialect &dialect) {
   for (const StandardGroup which :
-       {StandardGroup::Plane, StandardGroup::Compensation, StandardGroup::Cycle,
-        StandardGroup::Units, StandardGroup::MacroModal, StandardGroup::ReturnLevel})
+       {StandardGroup::Plane, StandardGroup::Distance, StandardGroup::Compensation,
+        StandardGroup::Cycle, StandardGroup::Units, StandardGroup::ReturnLevel})
     if (const GroupIndex group = dialect.group(which); group != noGroup)
       after.setGroup(group, before.group(group));
   after.compensation = before.compensation;
@@ -36,6 +38,16 @@ static void keepCompensationOff(const MachineState &before, MachineState &after,
   const GroupIndex group = dialect.group(StandardGroup::Compensation);
   after.setGroup(group, before.group(group));
   after.compensation = before.compensation;
+}
+
+/// Programs that are not known leave what is seldom on as it was, like those of which no caller is
+/// known expect it; on some controls the common modes too.
+static void keepModes(const MachineState &before, MachineState &after, const Dialect &dialect) {
+  copyRareModes(after, before, dialect);
+  if (dialect.callsKeepModes)
+    keepCommonModes(before, after, dialect);
+  else
+    keepCompensationOff(before, after, dialect);
 }
 
 /// Modal groups that nobody has seen changed by such a call.
@@ -65,10 +77,8 @@ void Calls::goOnUnknown(Step &step, const FollowedCall *known) {
   forget(step.live.state, dialect);
   if (known)
     keepUnchanged(*known, before, step.live.state, dialect);
-  else if (dialect.callsKeepModes)
-    keepModes(before, step.live.state, dialect);
   else
-    keepCompensationOff(before, step.live.state, dialect);
+    keepModes(before, step.live.state, dialect);
   step.live.state->modalCalls = before.modalCalls; // nobody leaves one on for a caller
   if (dialect.variableRanges.namedLocal)           // no call changes those of its caller
     step.live.state->locals = locals;

@@ -269,9 +269,9 @@ struct Dialect {
   bool cycleSurvivesMotion = false; ///< a motion code does not end a drilling cycle
   bool emptyBlocksRun = false;      ///< an active cycle runs in blocks without words too
   bool callsModally = false;        ///< some code makes a program run after every later move
-  bool callsKeepModes = false; ///< programs that are not known leave plane and compensation alone
-  bool endReturns = false;     ///< a program end inside a called program leads back
-  bool offsetsOfTool = false;  ///< length and radius belong to the tool, not to numbers
+  bool callsKeepModes = false;      ///< programs that are not known leave common modes as they are
+  bool endReturns = false;          ///< a program end inside a called program leads back
+  bool offsetsOfTool = false;       ///< length and radius belong to the tool, not to numbers
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   ToolRadiusSource toolRadius;
   Lexical lexical;

@@ -387,8 +387,9 @@ constexpr Field dialectFields[] = {
     flag<&Dialect::emptyBlocksRun>("emptyBlocksRun",
                                    "an active cycle runs in blocks without words too"),
     flag<&Dialect::callsKeepModes>(
-        "callsKeepModes", "programs that are not known leave plane, compensation, cycle, units and "
-                          "modal calls as they are: the builder's macros do so by custom"),
+        "callsKeepModes",
+        "programs that are not known leave plane, distances, compensation, cycle and "
+        "units as they are: the builder's macros do so by custom"),
     flag<&Dialect::endReturns>("endReturns",
                                "a program end inside a called program leads back to the caller"),
     flag<&Dialect::polarByDistance>(

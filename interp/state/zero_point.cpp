@@ -151,23 +151,34 @@ MachineState startOn(const Dialect &dialect, const MachineProfile &machine) {
   return state;
 }
 
+/// A cycle's group may be that of motions, which callers leave as they like.
+static void copyGroup(MachineState &to, const MachineState &from, const Dialect &dialect,
+                      StandardGroup which) {
+  if (const GroupIndex group = dialect.group(which);
+      group != noGroup && group != dialect.group(StandardGroup::Motion))
+    to.groups[group] = from.groups[group];
+}
+
+void copyRareModes(MachineState &to, const MachineState &from, const Dialect &dialect) {
+  to.switches = from.switches;
+  to.pole = from.pole;
+  for (const StandardGroup which :
+       {StandardGroup::Polar, StandardGroup::Rotation, StandardGroup::Scaling,
+        StandardGroup::Mirror, StandardGroup::MacroModal, StandardGroup::Language,
+        StandardGroup::ArcDistance, StandardGroup::Diameter})
+    copyGroup(to, from, dialect, which);
+}
+
 MachineState calledState(const Dialect &dialect) {
   MachineState state = unknownState(dialect);
   const MachineState usual = initialState(dialect);
   state.clear(Fact::UnknownCode);
   state.modalCalls = nullptr;
-  state.switches = usual.switches;
   state.frames = usual.frames;
-  state.pole = usual.pole;
   if (!dialect.isLathe())
     state.liveTool = usual.liveTool;
-  for (const StandardGroup which :
-       {StandardGroup::Polar, StandardGroup::Rotation, StandardGroup::Scaling,
-        StandardGroup::Mirror, StandardGroup::MacroModal, StandardGroup::Language,
-        StandardGroup::ArcDistance, StandardGroup::Cycle, StandardGroup::Diameter})
-    if (const GroupIndex group = dialect.group(which);
-        group != noGroup && group != dialect.group(StandardGroup::Motion))
-      state.groups[group] = usual.groups[group];
+  copyRareModes(state, usual, dialect);
+  copyGroup(state, usual, dialect, StandardGroup::Cycle);
   return state;
 }
 

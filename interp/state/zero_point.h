@@ -49,6 +49,10 @@ Place offsetsOfTool(const MachineProfile &machine, const MachineState &state, do
 /// profile knows.
 MachineState startOn(const Dialect &dialect, const MachineProfile &machine);
 
+/// Copies what changes the meaning of all words and is seldom on: polar coordinates, scaling,
+/// mirror, diameters, other such switches.
+void copyRareModes(MachineState &to, const MachineState &from, const Dialect &dialect);
+
 /// State on entry of a program that others call, where no caller is known: one that calls it as
 /// most would. What a caller sets for it is not known (tool, speed, feed, units, plane, place,
 /// compensation); what changes the meaning of all words (polar coordinates, scaling, frames, modal
