@@ -5,17 +5,25 @@
 
 namespace ncvet {
 
-AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
-                       const AnalysisLimits &limits, const std::atomic<bool> *cancel,
-                       StraightRuns *runs, const OuterCalls *outer) {
+namespace {
+
+/// None: what was taken over of an earlier analysis must not be.
+std::optional<AnalysisResult> analyzeOnce(Project &project, FileUnit &unit,
+                                          const RuleSelection &rules, const AnalysisLimits &limits,
+                                          const std::atomic<bool> *cancel, StraightRuns *runs,
+                                          const OuterCalls *outer) {
   Engine engine(project, unit, limits, cancel);
   RuleHost host(unit, rules, limits, engine.visits);
   engine.listen(host);
-  if (runs)
+  if (runs) {
     engine.reuse(*runs, host);
+    engine.reuseCalls();
+  }
   if (outer)
     engine.leaveToCallers(*outer);
   engine.run();
+  if (engine.stale)
+    return std::nullopt;
   AnalysisResult result;
   result.blocks = engine.blockCount();
   result.complete = engine.isComplete();
@@ -26,6 +34,19 @@ AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &ru
   if (!result.postponed)
     result.findings = host.take(project.sources());
   return result;
+}
+
+} // namespace
+
+AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
+                       const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                       StraightRuns *runs, const OuterCalls *outer) {
+  auto result = analyzeOnce(project, unit, rules, limits, cancel, runs, outer);
+  if (!result) {
+    runs->calls.keepPlain();
+    result = analyzeOnce(project, unit, rules, limits, cancel, runs, outer);
+  }
+  return std::move(*result);
 }
 
 } // namespace ncvet

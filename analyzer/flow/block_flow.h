@@ -18,6 +18,8 @@ public:
         calls_(run, callees_, bodies_, passes_), sections_(run, loops_, targets_, bodies_, passes_),
         contours_(run, callees_, bodies_) {}
 
+  /// Takes over what calls did in an earlier analysis, and has them recorded.
+  void reuse(CallRecorder &calls) { bodies_.reuse(calls); }
   /// The state leaves the block as its flow says.
   void leave(Step &step);
   /// After the block the modal call in force runs its program.

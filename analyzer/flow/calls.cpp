@@ -72,6 +72,7 @@ static void keepUnchanged(const FollowedCall &call, const MachineState &before, 
 void Calls::goOnUnknown(Step &step, const FollowedCall *known) {
   const Dialect &dialect = *step.unit().dialect;
   run_.lose(step.flowRange(), "what is called here is not known");
+  run_.opaque = true;
   const Variables locals = step.live.state->locals;
   const MachineState before = step.live.state;
   forget(step.live.state, dialect);
@@ -173,6 +174,7 @@ void Calls::callModally(Step &step) {
   }
   if (!callee || !mayEnter(step, *callee)) {
     forget(state, *step.unit().dialect);
+    run_.opaque = true;
     state.modalCalls = call;
     run_.lose(step.blockRange(), "what runs after this block is not known");
     return step.goOn();

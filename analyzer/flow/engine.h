@@ -22,6 +22,7 @@ public:
 
   using FlowRun::inFull;
   using FlowRun::postponed;
+  using FlowRun::stale;
   using FlowRun::visits;
   /// One of many files that are checked together.
   void leaveToCallers(const OuterCalls &calls) { outer = &calls; }
@@ -31,6 +32,13 @@ public:
     runs_ = &runs;
     rules_ = &rules;
     rules.recordUses();
+  }
+  /// The same of calls that the main program makes. When the run is `stale` after that, it has to
+  /// be made once more, with `KnownCalls::keepPlain`.
+  void reuseCalls() {
+    FlowRun &run = *this;
+    if (runs_ && rules_)
+      flow_.reuse(calls_.emplace(run, *runs_, *rules_));
   }
   /// The same for who asks for states alone, when a check of the same text has left `runs`.
   void replay(StraightRuns &runs) { runs_ = &runs; }
@@ -65,6 +73,7 @@ private:
   const std::atomic<bool> *cancel_;
   StraightRuns *runs_ = nullptr;    ///< null: every block is executed
   const RuleHost *rules_ = nullptr; ///< that listen
+  std::optional<CallRecorder> calls_;
   BlockFlow flow_;
 };
 

@@ -18,14 +18,35 @@ namespace ncvet {
 
 class QuickReader; // formats/readers/quick_reader.h
 
+/// A set that can tell what was put into it, whether it was there already or not.
+template <typename T>
+class NotedSet : public std::set<T> {
+public:
+  void insert(T value) {
+    if (notes_)
+      noted_.push_back(value);
+    std::set<T>::insert(std::move(value));
+  }
+  void startNoting() { notes_ = true; }
+  /// What was put into it since then.
+  std::vector<T> takeNoted() {
+    notes_ = false;
+    return std::exchange(noted_, {});
+  }
+
+private:
+  bool notes_ = false;
+  std::vector<T> noted_;
+};
+
 /// What the main file's programs have named as targets so far.
 struct UsedTargets {
-  std::set<int64_t> numbers;
-  std::set<int64_t> programs;
-  std::set<std::string> labels, names; ///< by key, in capitals
-  std::set<uint32_t> localSubprograms; ///< by their first block
-  std::set<uint32_t> profiles;         ///< that plain flow must not reach, by their first block
-  std::set<uint32_t> bracketed;        ///< subprograms between brackets, by their first block
+  NotedSet<int64_t> numbers;
+  NotedSet<int64_t> programs;
+  NotedSet<std::string> labels, names; ///< by key, in capitals
+  NotedSet<uint32_t> localSubprograms; ///< by their first block
+  NotedSet<uint32_t> profiles;         ///< that plain flow must not reach, by their first block
+  NotedSet<uint32_t> bracketed;        ///< subprograms between brackets, by their first block
   bool anyNumber = false;              ///< a local call computes the number to which it leads
   /// Profiles that follow the cycle which finished along them: by their first block.
   std::map<uint32_t, std::pair<Flow, SourceRange>> finishedAhead;
@@ -37,13 +58,20 @@ public:
   void add(uint32_t begin, uint32_t end) {
     uint32_t &known = runs_[begin];
     known = std::max(known, end);
+    for (auto *noted : noted_)
+      if (noted)
+        noted->emplace_back(begin, end);
   }
+  /// From now on what is added is noted in both as well; null: no more.
+  using Noted = std::vector<std::pair<uint32_t, uint32_t>>;
+  void note(Noted *first, Noted *second) { noted_ = {first, second}; }
   bool holds(uint32_t offset) const;
   /// In text order, without gaps between ranges that meet.
   std::vector<SourceRange> ranges(FileId file) const;
 
 private:
   llvm::DenseMap<uint32_t, uint32_t> runs_; ///< begin → end
+  std::array<Noted *, 2> noted_{};
 };
 
 /// One analysis of a file: what it works on, what it has spent and found out so far.
@@ -115,6 +143,8 @@ struct FlowRun {
   std::map<FileId, std::map<uint32_t, uint64_t>> followed; ///< see `AnalysisResult`
   bool asksOuter = false, postponed = false;               ///< the same
   bool stopped = false;
+  bool stale = false;  ///< what was known of an earlier analysis must not be reused: once more
+  bool opaque = false; ///< what was called is not known, or lies in another file
   bool inFull = false; ///< every block is read, executed and told in full: see docs/fast-path.md
   bool complete = true;
   std::vector<std::string> cuts;

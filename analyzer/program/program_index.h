@@ -106,6 +106,8 @@ public:
     ++workDone;
     looks_.from = std::min(looks_.from, begin);
     looks_.to = std::max(looks_.to, next);
+    if (places_)
+      noteIn(*places_, begin, next);
   }
   /// For any reading of the text; who looks at one block says so by `read`.
   const Reader &reader() const {
@@ -127,9 +129,21 @@ public:
   Looks looks() const { return looks_; }
   /// What has been looked at since the last call.
   Looks takeLooks() const { return std::exchange(looks_, Looks()); }
+  /// From now on each place that is looked at is noted there as well; null: no more.
+  using Places = std::vector<std::pair<uint32_t, uint32_t>>;
+  void notePlaces(Places *places) const { places_ = places; }
 
 private:
+  /// What follows the last place, or is a part of it, makes it longer.
+  static void noteIn(Places &places, uint32_t begin, uint32_t next) {
+    if (!places.empty() && begin >= places.back().first && begin <= places.back().second)
+      places.back().second = std::max(places.back().second, next);
+    else
+      places.emplace_back(begin, next);
+  }
+
   mutable Looks looks_;
+  mutable Places *places_ = nullptr;
   const SourceFile &source_;
   const Reader &reader_;
   const PieceReader pieces_;

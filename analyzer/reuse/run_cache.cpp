@@ -15,6 +15,7 @@ void StraightRuns::edit(const TextChange &change) {
         run.move(change, moved);
       return false;
     });
+  calls.edit(change, moved);
   const auto spoils = [&](RunPlace &run) {
     if (change.begin <= run.end && change.end >= run.begin)
       return true;

@@ -1,7 +1,7 @@
 // What is known of the blocks of a file from an earlier analysis of almost the same text.
 #pragma once
 
-#include "analyzer/reuse/recorded_run.h"
+#include "analyzer/reuse/known_calls.h"
 #include "analyzer/reuse/taken_runs.h"
 
 namespace ncvet {
@@ -29,6 +29,7 @@ public:
     stretches.clear();
     endings.clear();
     quiet.clear();
+    calls.clear();
   }
 
   TakenRuns taken; ///< since that was last set to 0
@@ -39,6 +40,7 @@ public:
   RunStore<StraightRun> stretches;
   RunStore<EndingRun> endings;
   RunStore<RunPlace> quiet; ///< text in which a reader finds nothing wrong
+  KnownCalls calls;
 };
 
 } // namespace ncvet

@@ -1,36 +1,57 @@
 // Blocks after the program's end that nothing reaches.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/gathering_rule.h"
+
+#include <map>
 
 namespace ncvet {
 namespace {
 
-struct ProgramCodeAfterEndMemory {
-  struct End {
-    SourceRange block; ///< up to the next one
-    SourceRange code;
-  };
-  std::vector<End> ends;
+struct ProgramEndPlace {
+  TextPlace block, next; ///< and the one after it
+  TextPlace codeBegin, codeEnd;
 };
 
-class ProgramCodeAfterEnd final : public StatefulRule<ProgramCodeAfterEndMemory> {
+struct ProgramCodeAfterEndMemory {
+  Aside<bool> ended; ///< some program has
+};
+
+/// Of each block that ends a program one, however often it is executed.
+using ProgramEnds = std::map<TextPlace, ProgramEndPlace>;
+
+class ProgramCodeAfterEnd final
+    : public GatheringRule<ProgramCodeAfterEndMemory, ProgramEndPlace, ProgramEnds> {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::ProgramEnd, EventKind::Return}); }
+  void listen(Subscriptions &to) override {
+    to.gathers();
+    to.on({EventKind::ProgramEnd, EventKind::Return});
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (!memory().ends.empty() && memory().ends.back().block.file == ctx.source().id() &&
-        memory().ends.back().block.begin == ctx.block().begin)
+    if (!event.word)
       return;
-    if (event.word)
-      memory().ends.push_back(
-          {{ctx.source().id(), ctx.block().begin, ctx.block().next}, ctx.range(*event.word)});
+    const auto place = [&](uint32_t offset) { return TextPlace{ctx.source().id(), offset}; };
+    const SourceRange code = ctx.range(*event.word);
+    const ProgramEndPlace end{place(ctx.block().begin), place(ctx.block().next), place(code.begin),
+                              place(code.end)};
+    note(end);
+    takeOver(end);
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
-    if (!file.complete || file.anyNumberUsed)
+    if (!file.complete || file.anyNumberUsed || !memory().ended.look())
       return;
-    for (const Memory::End &end : memory().ends)
-      if (end.block.file == file.source.id())
+    for (const auto &[at, end] : list())
+      if (at.file == file.source.id())
         tellAfter(end, file, ctx);
+  }
+
+protected:
+  bool takeOver(llvm::ArrayRef<ProgramEndPlace> ends) const override {
+    memory().ended.note() = true;
+    for (const ProgramEndPlace &end : ends)
+      list().try_emplace(end.block, end);
+    return true;
   }
 
 private:
@@ -64,8 +85,8 @@ private:
            findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
   }
 
-  void tellAfter(const Memory::End &end, const FileSummary &file, RuleContext &ctx) const {
-    const uint32_t stop = file.index.programAt(end.block.begin).end;
+  void tellAfter(const ProgramEndPlace &end, const FileSummary &file, RuleContext &ctx) const {
+    const uint32_t stop = file.index.programAt(end.block.offset).end;
     SourceRange dead;
     uint64_t count = 0;
     const auto read = [&](uint32_t at, const Block &block) {
@@ -87,9 +108,10 @@ private:
       count += piece.blocks;
       return true;
     };
-    file.index.eachBlock(end.block.end, stop, read, pass);
+    file.index.eachBlock(end.next.offset, stop, read, pass);
     if (!count)
       return;
+    const SourceRange code{end.block.file, end.codeBegin.offset, end.codeEnd.offset};
     if (auto finding = ctx.report(dead))
       finding
           .message(
@@ -97,8 +119,8 @@ private:
                   ? "this block after `{0}` is never executed: no call, jump or profile reaches it"
                   : "these {1} blocks after `{0}` are never executed: no call, jump or profile "
                     "reaches them",
-              ctx.text(end.code), count)
-          .note(end.code, "the program ends here");
+              ctx.text(code), count)
+          .note(code, "the program ends here");
   }
 };
 

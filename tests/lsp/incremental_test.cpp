@@ -96,6 +96,86 @@ TEST(Incremental, EditsOfALongProgramGiveWhatAFreshCheckGives) {
     editAndCompare("haas-mill", "/nowhere/O0001.nc", machining(700), 60, seed);
 }
 
+/// Programs that call one another three deep, the lower ones from several of the upper ones and
+/// some of them in the same state. `first`: the calls of the main program.
+struct Callers {
+  const char *dialect, *path, *first, *call, *end, *head;
+};
+
+std::string callingOneAnother(const Callers &of, unsigned tops) {
+  const unsigned mids = tops * 2 / 3, leaves = tops;
+  std::string text = of.first;
+  const auto call = [&](unsigned number) {
+    std::string line = of.call;
+    line.replace(line.find('@'), 1, std::to_string(number));
+    text += line + "\n";
+  };
+  for (unsigned i = 0; i < tops; ++i) {
+    if (i % 5 == 4)
+      text += "G0 X" + std::to_string(i) + ". Y0.\n";
+    call(100 + i);
+    if (i % 7 == 6)
+      call(100 + i / 2);
+  }
+  text += "G0 Z50. M9\nM5\nM30\n";
+  const auto body = [&](unsigned number, unsigned base, unsigned first, unsigned count) {
+    std::string head = of.head;
+    for (size_t at = head.find('@'); at != std::string::npos; at = head.find('@'))
+      head.replace(at, 1, std::to_string(number));
+    text += head + "\n";
+    for (unsigned i = 0; i < 12; ++i) {
+      const std::string x = std::to_string(number % 37 + i), y = std::to_string(number % 11);
+      const char *const kinds[] = {"G90 G0 X", "G1 Z-1. F300.\nX", "G91 G1 F400. X", "G90 X"};
+      text += kinds[i % 4] + x + ". Y" + y + ".\n";
+      if (i % 4 != 3)
+        continue;
+      text += "G0 Z5.\n";
+      if (base)
+        call(base + (first * 3 + i / 4) % count);
+    }
+    text += std::string(of.end) + "\n";
+  };
+  for (unsigned i = 0; i < tops; ++i)
+    body(100 + i, 300, i, mids);
+  for (unsigned i = 0; i < mids; ++i)
+    body(300 + i, 500, i, leaves);
+  for (unsigned i = 0; i < leaves; ++i)
+    body(500 + i, 0, 0, 1);
+  return text;
+}
+
+const Callers allCallers[] = {
+    {"fanuc-mill", "/nowhere/O0001.nc",
+     "%\nO1 (CALLS)\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\n",
+     "M98 P@", "M99", "O@"},
+    {"fanuc-0m", "/nowhere/O0001.nc",
+     "%\nO1 (MACROS)\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\n",
+     "G65 P@ A1.", "G83 X1. Y1. Z-3. R2. Q1. F80.\nX5.\nG80\n#100=#1+1.\nM99", "O@"},
+    {"haas-mill", "/nowhere/O0001.nc",
+     "%\nO1 (HAAS)\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\n", "M98 P@",
+     "M99", "O@"},
+};
+
+TEST(Incremental, EditsOfProgramsThatCallOneAnotherGiveWhatAFreshCheckGives) {
+  for (const Callers &callers : allCallers)
+    for (unsigned seed = 0; seed < 3; ++seed)
+      editAndCompare(callers.dialect, callers.path, callingOneAnother(callers, 24), 40, seed);
+}
+
+TEST(Incremental, CallsWhoseTextIsTheSameAreNotFollowedAgain) {
+  const Callers &callers = allCallers[0];
+  std::string text = callingOneAnother(callers, 60);
+  Edited edited(callers.dialect, callers.path);
+  ASSERT_EQ(edited.difference(text), "");
+  static_cast<void>(edited.taken());
+  for (const char *const head : {"O510\n", "O310\n", "O110\n", "O510\n"}) {
+    const size_t at = text.find(". Y", text.find(head));
+    text.replace(at, 1, "1.");
+    ASSERT_EQ(edited.difference(text), "") << head;
+    EXPECT_GT(edited.taken().blocks, 5000u) << head;
+  }
+}
+
 /// Several edits come between two checks, each known for what it is.
 void editInBursts(const std::string &dialect, const std::string &path, std::string text,
                   unsigned bursts, unsigned seed) {
