@@ -16,7 +16,7 @@ bool touches(const TextChange &change, uint32_t from, uint32_t to) {
 
 } // namespace
 
-/// It stands for the body where nothing else tells two of them apart: 64 bits on every machine.
+/// It is the body where nothing else tells two of them apart: 64 bits on every machine.
 uint64_t BodyRun::print() const {
   constexpr uint64_t spread = 0x9E3779B97F4A7C15;
   uint64_t number = state;
