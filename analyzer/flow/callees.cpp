@@ -57,8 +57,10 @@ std::optional<Callee> Callees::named(const Step &step, const Item &item, Callee 
   const uint64_t place = uint64_t(unit.source.id()) << 32 | item.nameBegin;
   const bool hasName = item.nameEnd > item.nameBegin;
   if (hasName && item.positional)
-    if (const auto known = bracketed_.find(place); known != bracketed_.end())
+    if (const auto known = bracketed_.find(place); known != bracketed_.end()) {
+      run_.opaque = true; // what is named here was noted when it was found
       return known->second;
+    }
   std::string name = unit.source.text(item.nameBegin, item.nameEnd).str();
   SourceRange range{unit.source.id(), item.nameBegin, item.nameEnd};
   if (!hasName) {

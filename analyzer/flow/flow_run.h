@@ -143,8 +143,9 @@ struct FlowRun {
   std::map<FileId, std::map<uint32_t, uint64_t>> followed; ///< see `AnalysisResult`
   bool asksOuter = false, postponed = false;               ///< the same
   bool stopped = false;
-  bool stale = false;  ///< what was known of an earlier analysis must not be reused: once more
-  bool opaque = false; ///< what was called is not known, or lies in another file
+  bool stale = false; ///< what was known of an earlier analysis must not be reused: once more
+  bool opaque =
+      false; ///< what was called is not known, lies in another file or is between brackets
   bool inFull = false; ///< every block is read, executed and told in full: see docs/fast-path.md
   bool complete = true;
   std::vector<std::string> cuts;

@@ -63,6 +63,7 @@ void RegionRun::makeInRow(KnownBlocks::Known &known) {
   Live &live = lives_[0];
   done_ = &known;
   outcome_ = &known.outcome;
+  noteUse(known.use);
   known.move.makePlace(*block_, live.state, known.outcome);
   if (block_->number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
     runsInto(live);

@@ -90,9 +90,9 @@ private:
   void readStraight();
   bool doAsKnown(Live &live);
   void make(KnownBlocks::Known &known, Live &live);
-  /// What executing the block looks at, where that is recorded.
+  /// What executing the block looks at, where that is recorded: of a called body it always is.
   void noteUse(const StateUse &use) {
-    if (recorder_)
+    if (recorder_ || !run_.callStack.empty())
       stateUse |= blockUse_ = use;
   }
   void leaveModes(KnownBlocks::Known &known, const MachineState &state);

@@ -176,6 +176,22 @@ TEST(Incremental, CallsWhoseTextIsTheSameAreNotFollowedAgain) {
   }
 }
 
+TEST(Incremental, SubprogramsBetweenBracketsAreUsedThoughTheirFirstCallIsGone) {
+  std::string moves;
+  for (unsigned i = 0; i < 40; ++i)
+    moves += "G1 X" + std::to_string(i % 9) + " Y" + std::to_string(i % 7) + " F200\n";
+  std::string text = "o<hole> sub\n" + moves + "o<hole> endsub\no<row> sub\n" + moves +
+                     "o<hole> call\no<row> endsub\nG21 G17 G90 G40 G94\nT1 M6 G43\n"
+                     "S1000 M3\nG0 X0 Y0 Z5\no<row> call\nG0 X1 Y1\no<row> call\n"
+                     "G0 X2 Y3\no<row> call\nM5\nM2\n";
+  Edited edited("linuxcnc", "/nowhere/rows.ngc");
+  ASSERT_EQ(edited.difference(text), "");
+  for (unsigned i = 0; i < 3; ++i) {
+    text.replace(text.find("o<row> call\n"), 12, "");
+    EXPECT_EQ(edited.difference(text), "") << text.substr(text.find("G21"));
+  }
+}
+
 /// Several edits come between two checks, each known for what it is.
 void editInBursts(const std::string &dialect, const std::string &path, std::string text,
                   unsigned bursts, unsigned seed) {
