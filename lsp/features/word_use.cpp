@@ -48,6 +48,13 @@ struct Search {
   }
 };
 
+bool isCoordinate(const Dialect &dialect, const Word &word) {
+  if (word.address >= addressCount)
+    return false;
+  const AddressKind kind = dialect.addresses[word.address].kind;
+  return kind == AddressKind::Axis || kind == AddressKind::Increment;
+}
+
 /// The certainly active code of a group; null: none, or it is not certain.
 const CodeInfo *activeCode(const Dialect &dialect, const MachineState &state, GroupIndex group) {
   const uint64_t set = group == noGroup ? 0 : state.group(group);
@@ -121,7 +128,11 @@ WordUse useOf(const ExecutedBlock &executed, const Word &word) {
       continue;
     if (const WordSpec *spec = search.in(*code))
       return {code, spec};
-    if (!search.variable && which == StandardGroup::Motion && (code->takes & maskOf(word.address)))
+    const bool takes =
+        which == StandardGroup::Cycle
+            ? isCoordinate(dialect, word) && executed.after.cycleActive(dialect) == Truth::Yes
+            : (code->takes & maskOf(word.address)) != 0;
+    if (!search.variable && takes)
       return {code, nullptr};
   }
   return {};

@@ -159,6 +159,34 @@ Json fixAllLater(const View &view, const CheckResult &result) {
           {"data", {{"uri", view.document.uri}, {"version", view.document.version}}}};
 }
 
+Json explanation(const RuleInfo &rule, const View &view) {
+  return {{"title", ("Explain " + rule.id).str()},
+          {"kind", "source.explain.ncvet"},
+          {"command",
+           {{"title", "Explain"},
+            {"command", "ncvet.explain"},
+            {"arguments", {rule.id.str(), view.document.uri}}}}};
+}
+
+/// What mends a finding comes before what silences one.
+void actionsOfFindings(View &view, const CheckResult &result, const Json &asked,
+                       std::pair<uint32_t, uint32_t> range, Json &actions) {
+  std::vector<const Problem *> problems;
+  for (const Problem &problem : result.problems)
+    if (problem.path == view.document.path && problem.begin <= range.second &&
+        problem.end >= range.first)
+      problems.push_back(&problem);
+  if (wants(asked, "quickfix")) {
+    for (const Problem *problem : problems)
+      fixesOfFinding(*problem, result, view, actions);
+    for (const Problem *problem : problems)
+      suppressions(*problem, view, actions);
+  }
+  if (wants(asked, "source.explain.ncvet"))
+    for (const Problem *problem : problems)
+      actions.push_back(explanation(allRules()[problem->rule].info, view));
+}
+
 Json actionsAt(Context &context, View &view, Session &session, const Json &params) {
   Json actions = Json::array();
   const auto result = context.checks->wait(view.document, view.cancelled);
@@ -166,23 +194,7 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
     return actions;
   const auto [begin, end] = view.range(params);
   const Json &asked = params.at("context");
-  for (const Problem &problem : result->problems) {
-    if (problem.path != view.document.path || problem.begin > end || problem.end < begin)
-      continue;
-    if (wants(asked, "quickfix")) {
-      fixesOfFinding(problem, *result, view, actions);
-      suppressions(problem, view, actions);
-    }
-    if (wants(asked, "source.explain.ncvet")) {
-      const RuleInfo &rule = allRules()[problem.rule].info;
-      actions.push_back({{"title", ("Explain " + rule.id).str()},
-                         {"kind", "source.explain.ncvet"},
-                         {"command",
-                          {{"title", "Explain"},
-                           {"command", "ncvet.explain"},
-                           {"arguments", {rule.id.str(), view.document.uri}}}}});
-    }
-  }
+  actionsOfFindings(view, *result, asked, {begin, end}, actions);
   if (begin < end)
     rewritingsOf(
         view, begin, end, [&](llvm::StringRef kind) { return wants(asked, kind); },

@@ -51,6 +51,13 @@ TEST(WordHelp, AWordOfAnActiveCycleIsTheCycles) {
               HasSubstr("**Q** peck depth"));
 }
 
+TEST(WordHelp, TheCoordinateOfAHoleIsTheCycles) {
+  const std::string drilling = "O1\nG90 G54 G0 X0. Y0. Z5.\nG81 X1. Z-5. R1. F100.\n";
+  EXPECT_THAT(helpAt("fanuc-0m", drilling + "X<|>2.\nG80\nM30\n").markdown, HasSubstr("– `G81`"));
+  EXPECT_THAT(helpAt("fanuc-0m", drilling + "G80\nG0 X<|>2.\nM30\n").markdown,
+              HasSubstr("– `G00`"));
+}
+
 TEST(WordHelp, AnArgumentIsNamedByItsCycle) {
   const Helped help = helpAt("sinumerik", "CYCLE81(10,0,<|>2,-8)\nM30\n");
   EXPECT_EQ(help.word, "2");

@@ -157,6 +157,22 @@ TEST(LanguageServer, AQuickFixMendsItsFinding) {
   EXPECT_EQ(codes(client.diagnostics(path, 2)), std::vector<std::string>());
 }
 
+TEST(LanguageServer, WhatMendsAFindingComesBeforeWhatSilencesAnother) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "sinumerik"}});
+  const std::string path = "/nowhere/jump.mpf";
+  client.open(path, "N10 GOTOF NEXT\nNEXT: Y=1\nN20 M30\n");
+  const Json diagnostics = client.diagnostics(path);
+  EXPECT_THAT(codes(diagnostics), testing::IsSupersetOf({"feed-missing", "motion-mode-not-set"}));
+  const Json actions =
+      client.request("textDocument/codeAction", {{"textDocument", documentOf(path)},
+                                                 {"range", diagnostics[0]["range"]},
+                                                 {"context", {{"diagnostics", Json::array()}}}});
+  ASSERT_GE(actions.size(), 5u);
+  EXPECT_EQ(actions[0]["title"], "write G01 before it");
+  EXPECT_EQ(actions[1]["title"], "Allow feed-missing here");
+}
+
 TEST(LanguageServer, ACommentSilencesAFindingHereAndInTheFile) {
   const std::string path = "/nowhere/bore.nc";
   const std::string text = "%\nO1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
