@@ -41,6 +41,9 @@ export const steps = {
     editor.write('calls/O0200.nc', ['%', 'O0200 (SUB)', 'N10 X20. Y20.', 'N20 T2 M06', 'N30 M99', '%']);
     await editor.open('calls/O0100.nc');
     await until('findings of the closed file', async () => (await editor.findings('calls/O0200.nc')).length > 0);
+    await editor.open('calls/O0200.nc');
+    await until('the control', () => editor.control());
+    same(await editor.findings('calls/O0200.nc'), ['4 cycle-left-active'], 'findings of a subprogram whose caller is beside it');
   },
 
   async 'the control is chosen for a file, and the findings follow'(editor) {
@@ -101,6 +104,25 @@ export const steps = {
     await until('findings', async () => (await editor.findings('fresh/plate.nc')).includes('9 cycle-left-active'));
     editor.write('fresh/.ncvet.json', '{ "dialect": "fanuc-mill", "ignore": ["cycle"] }\n');
     await until('findings without the rule', async () => !(await editor.findings('fresh/plate.nc')).includes('9 cycle-left-active'));
+  },
+
+  async 'a change of a setting renews the findings'(editor) {
+    const ignore = (rules) => editor.ask(`await vscode.workspace.getConfiguration('ncvet').update('ignore', ${rules}, vscode.ConfigurationTarget.Workspace)`);
+    const isFound = async () => (await editor.findings('plate.nc')).includes('9 cycle-left-active');
+    await editor.open('plate.nc');
+    await until('findings', isFound);
+    await ignore(`['cycle']`);
+    await until('findings without the rule', async () => !(await isFound()));
+    await ignore('undefined');
+    await until('findings with it', isFound);
+  },
+
+  async 'a control that does not exist is marked in the settings'(editor) {
+    editor.write('.vscode/settings.json', '{ "ncvet.dialect": "fanuk" }\n');
+    await editor.open('.vscode/settings.json');
+    await until('a warning', () => editor.ask(`return vscode.languages.getDiagnostics(${editor.file('.vscode/settings.json')})
+      .some((one) => /neither a control of ncvet|fanuc-mill/.test(one.message))`));
+    editor.write('.vscode/settings.json', '{}\n');
   },
 
   async 'a broken configuration is told, and the last good one counts'(editor) {
@@ -415,6 +437,10 @@ export const steps = {
     await editor.ask(`const editor = vscode.window.activeTextEditor; editor.selection = new vscode.Selection(7, 5, 7, 5);
       await vscode.commands.executeCommand('editor.action.showHover')`);
     await until('it is seen', async () => (await editor.texts('.monaco-hover')).some((one) => one.includes('Before this block')));
+    await editor.open('calls/O0100.nc');
+    const afterCall = await until('the hover after a call', () => editor.ask(`const found = await vscode.commands.executeCommand('vscode.executeHoverProvider',
+      ${editor.file('calls/O0100.nc')}, new vscode.Position(8, 5)); return found.flatMap((one) => one.contents.map((part) => part.value)).join()`));
+    holds(/Before this block/.test(afterCall) && !/M99/.test(afterCall), `the return is over: ${afterCall}`);
   },
 
   async 'codes are completed in the order of their numbers'(editor) {
