@@ -163,7 +163,7 @@ TEST(LanguageServer, WhatMendsAFindingComesBeforeWhatSilencesAnother) {
   const std::string path = "/nowhere/jump.mpf";
   client.open(path, "N10 GOTOF NEXT\nNEXT: Y=1\nN20 M30\n");
   const Json diagnostics = client.diagnostics(path);
-  EXPECT_THAT(codes(diagnostics), testing::IsSupersetOf({"feed-missing", "motion-mode-not-set"}));
+  EXPECT_THAT(codes(diagnostics), testing::ElementsAre("2 feed-missing", "2 motion-mode-not-set"));
   const Json actions =
       client.request("textDocument/codeAction", {{"textDocument", documentOf(path)},
                                                  {"range", diagnostics[0]["range"]},
