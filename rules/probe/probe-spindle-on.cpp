@@ -6,8 +6,20 @@ namespace {
 
 class ProbeSpindleOn final : public Rule {
 public:
-  /// The tables say when; what they say is reported for it.
-  void listen(Subscriptions &) override {}
+  /// The tables say when.
+  void listen(Subscriptions &to) override {
+    knownSpeed_ = to.flag("knownSpeed");
+    to.onNotices(id);
+  }
+
+  void on(const Event &event, RuleContext &ctx) const override {
+    if (!knownSpeed_ || ctx.before().speed->isConstant())
+      ctx.reportNotices(id, event);
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"probe-spindle-on"};
+  bool knownSpeed_ = false; ///< a speed that is computed is meant for measuring
 };
 
 } // namespace

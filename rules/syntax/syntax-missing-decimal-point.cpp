@@ -126,8 +126,9 @@ private:
     const llvm::StringRef word = ctx.text(place);
     if (auto finding = ctx.report(place))
       finding
-          .message("`{0}` has no decimal point: the control may read it as {1} {2}", word,
-                   word.drop_front().ltrim("+-=0 "), parts())
+          .message("`{0}` has no decimal point: the control may read it as {1} {2}{3}", word,
+                   word.drop_front().ltrim("+-=0 "), memory().inch || memory().metric ? "" : "of ",
+                   parts())
           .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(place.end, "."));
   }
 

@@ -71,7 +71,7 @@ private:
       finding.severity(Severity::Warning)
           .message("`{0}` is tool {1} here: station and offset in one word are those of a lathe's "
                    "control",
-                   ctx.text(word), word.value());
+                   ctx.text(word), int64_t(word.value()));
   }
   bool pairs_ = false; ///< a word of two pairs of digits is told
 
