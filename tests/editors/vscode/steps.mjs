@@ -41,8 +41,6 @@ export const steps = {
     editor.write('calls/O0200.nc', ['%', 'O0200 (SUB)', 'N10 X20. Y20.', 'N20 T2 M06', 'N30 M99', '%']);
     await editor.open('calls/O0100.nc');
     await until('findings of the closed file', async () => (await editor.findings('calls/O0200.nc')).length > 0);
-    await editor.open('calls/O0200.nc');
-    await until('the control', () => editor.control());
     same(await editor.findings('calls/O0200.nc'), ['4 cycle-left-active'], 'findings of a subprogram whose caller is beside it');
   },
 
