@@ -19,17 +19,24 @@ constexpr uint64_t unreadablePartOfNamed = 5; // a fifth
 /// The same where the text names another control by itself.
 constexpr uint64_t fewestWrong = 3;
 constexpr uint64_t wrongPart = 20; // a twentieth
+/// Of codes that this control does not have fewer are enough.
+constexpr uint64_t fewestCodes = 2;
 
-/// A fault that is one in the language of any control: it is told by itself.
-bool isOfAnyControl(const Finding &finding) {
-  const llvm::StringRef id = allRules()[finding.rule].info.id;
-  return id == "syntax-unclosed-comment" || id == "syntax-missing-decimal-point";
+/// What is wrong on every control, whoever reads it.
+bool isWrongEverywhere(llvm::StringRef rule) {
+  return rule == "syntax-unclosed-comment" || rule == "syntax-missing-decimal-point";
 }
+
+llvm::StringRef idOf(const Finding &finding) { return allRules()[finding.rule].info.id; }
 
 /// What a control says to the language of another one: no block, no code, no word of its own.
 bool isOfLanguage(const Finding &finding) {
-  const llvm::StringRef category = allRules()[finding.rule].info.category;
-  return category == "syntax" || category == "block";
+  const RuleInfo &rule = allRules()[finding.rule].info;
+  return (rule.category == "syntax" || rule.category == "block") && !isWrongEverywhere(rule.id);
+}
+
+bool isUnreadable(const Finding &finding) {
+  return isOfLanguage(finding) && allRules()[finding.rule].info.category == "syntax";
 }
 
 /// The lines of one file with findings that are no advice.
@@ -37,6 +44,7 @@ struct WrongLines {
   std::set<uint32_t> all, ofLanguage, ofCodes, unreadable;
   const Finding *first = nullptr;     ///< the first that cannot be read, else the first
   const Finding *firstCode = nullptr; ///< that is another control's
+  const Finding *firstOfLanguage = nullptr;
 
   WrongLines(const LineIndex &lines, FileId file, llvm::ArrayRef<Finding> findings) {
     for (const Finding &finding : findings)
@@ -47,13 +55,15 @@ struct WrongLines {
 private:
   void add(const Finding &finding, uint32_t line) {
     all.insert(line);
-    if (isOfLanguage(finding) && !isOfAnyControl(finding))
+    if (isOfLanguage(finding)) {
+      firstOfLanguage = firstOfLanguage ? firstOfLanguage : &finding;
       ofLanguage.insert(line);
+    }
     if (allRules()[finding.rule].info.category == "block") {
       firstCode = firstCode ? firstCode : &finding;
       ofCodes.insert(line);
     }
-    const bool isSyntax = allRules()[finding.rule].info.category == "syntax";
+    const bool isSyntax = isUnreadable(finding);
     if (isSyntax)
       unreadable.insert(line);
     if (!first || (isSyntax && unreadable.size() == 1 && !firstIsSyntax_)) {
@@ -70,10 +80,8 @@ bool areMany(const std::set<uint32_t> &lines, uint64_t blocks) {
          (lines.size() >= fewestWrong && lines.size() * wrongPart >= blocks);
 }
 
-/// Of codes that this control does not have fewer are enough.
 bool areManyCodes(const std::set<uint32_t> &lines, uint64_t blocks) {
-  constexpr uint64_t fewest = 2;
-  return lines.size() >= fewest && lines.size() * wrongPart >= blocks;
+  return lines.size() >= fewestCodes && lines.size() * wrongPart >= blocks;
 }
 
 /// In a short text a block or two that cannot be read are enough.
@@ -81,41 +89,100 @@ bool areSome(const std::set<uint32_t> &lines, uint64_t blocks) {
   return !lines.empty() && lines.size() * wrongPart >= blocks;
 }
 
+/// What is told in place of the findings of a file.
+struct Fold {
+  OtherControl other; ///< its name is empty when the text is of none that is known
+  uint64_t lines = 0;
+  bool all = true; ///< all findings go; else those of the language alone
+};
+
+/// A control with a table, or one that reads nearly the same, is another one only by what is not of
+/// this one's language.
+std::optional<Fold> foldInto(OtherControl other, const WrongLines &wrong, uint64_t blocks) {
+  if (other.name.empty())
+    return std::nullopt;
+  const bool areMost = areMany(wrong.ofLanguage, blocks) || areManyCodes(wrong.ofCodes, blocks);
+  const uint64_t ofLanguage = wrong.ofLanguage.size();
+  if (other.hasTable) {
+    if (!areMost && wrong.ofCodes.size() < fewestCodes)
+      return std::nullopt;
+    return Fold{std::move(other), ofLanguage, areMost};
+  }
+  if (other.isAlike) {
+    if (!areMost && !areSome(wrong.unreadable, blocks))
+      return std::nullopt;
+    return Fold{std::move(other), ofLanguage, false};
+  }
+  return Fold{std::move(other), wrong.all.size(), true};
+}
+
+/// Lines with something in them: of a text that the control does not read to its end they are as
+/// good as blocks.
+uint64_t filledLines(llvm::StringRef text) {
+  uint64_t count = 0;
+  while (!text.empty()) {
+    const auto [line, rest] = text.split('\n');
+    count += !line.trim().empty();
+    text = rest;
+  }
+  return count;
+}
+
+std::string causeOf(const OtherControl &other) {
+  if (other.name.empty())
+    return "cannot be read: the text is no program of this control";
+  return (other.isNoMachine ? "are no program of a machine: " : "are for another control: ") +
+         other.name + " (" + other.marks + ")";
+}
+
+/// Where the control was found out, a line that bears a mark of one that reads nearly the same is
+/// its command.
+void dropItsCommands(const SourceFile &source, const TextOrigin &origin,
+                     std::vector<Finding> &findings) {
+  const auto isUnread = [&](const Finding &finding) {
+    return finding.range.file == source.id() && isUnreadable(finding);
+  };
+  if (!origin.detected || llvm::none_of(findings, isUnread))
+    return;
+  const OtherControl other = origin.otherControl();
+  if (!other.isAlike)
+    return;
+  llvm::erase_if(findings, [&](const Finding &finding) {
+    const uint32_t at = finding.range.begin;
+    return isUnread(finding) && other.hasMark(source.text().slice(source.lines().lineBegin(at),
+                                                                  source.lines().lineEnd(at)));
+  });
+}
+
 } // namespace
 
 void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &origin,
                      std::vector<Finding> &findings) {
   const FileId file = unit.source.id();
-  const WrongLines wrong(project.sources().get(file).lines(), file, findings);
-  OtherControl other;
-  const std::set<uint32_t> *counted = nullptr;
-  if (areMany(wrong.all, origin.blocks) || areManyCodes(wrong.ofCodes, origin.blocks) ||
-      areSome(wrong.unreadable, origin.blocks) || wrong.unreadable.count(0)) {
-    other = origin.otherControl();
-    // A control with a table is another one only by what is not of this one's language.
-    if (!other.name.empty() && (!other.hasTable || areMany(wrong.ofLanguage, origin.blocks) ||
-                                areManyCodes(wrong.ofCodes, origin.blocks)))
-      counted = other.hasTable ? &wrong.ofLanguage : &wrong.all;
-  }
+  const SourceFile &source = project.sources().get(file);
+  dropItsCommands(source, origin, findings);
+  const WrongLines wrong(source.lines(), file, findings);
+  std::optional<Fold> fold;
+  if (areMany(wrong.all, origin.blocks) || wrong.ofCodes.size() >= fewestCodes ||
+      areSome(wrong.unreadable, origin.blocks) || wrong.unreadable.count(0))
+    fold = foldInto(origin.otherControl(), wrong, origin.blocks);
   const uint64_t part = origin.detected ? unreadablePart : unreadablePartOfNamed;
   const uint64_t fewest = origin.detected ? fewestUnreadable : fewestUnreadableOfNamed;
-  if (!counted && wrong.unreadable.size() >= fewest &&
-      wrong.unreadable.size() * part >= origin.blocks) {
-    other = {};
-    counted = &wrong.unreadable;
-  }
-  if (!counted)
+  if (!fold && wrong.unreadable.size() >= fewest && wrong.unreadable.size() * part >= origin.blocks)
+    fold = Fold{{}, wrong.unreadable.size(), true};
+  if (!fold)
     return;
-  const bool byCode = other.hasTable && wrong.firstCode;
-  Finding one = byCode ? *wrong.firstCode : *wrong.first;
-  const std::string cause =
-      other.name.empty() ? "cannot be read: the text is no program of this control"
-                         : "are for another control: " + other.name + " (" + other.marks + ")";
-  one.message = formatted("{0} of {1} blocks {2}; the first: {3}", counted->size(),
-                          std::max<uint64_t>(origin.blocks, counted->size()), cause, one.message);
+  const bool byCode = fold->other.hasTable && wrong.firstCode;
+  Finding one = byCode ? *wrong.firstCode : fold->all ? *wrong.first : *wrong.firstOfLanguage;
+  const uint64_t blocks =
+      fold->other.hasTable ? origin.blocks : std::max(origin.blocks, filledLines(source.text()));
+  one.message = formatted("{0} of {1} blocks {2}; the first: {3}", fold->lines,
+                          std::max(blocks, fold->lines), causeOf(fold->other), one.message);
   one.fix.reset();
   llvm::erase_if(findings, [&](const Finding &finding) {
-    return finding.range.file == file && !(other.hasTable && isOfAnyControl(finding));
+    const bool goes = fold->all ? !(fold->other.hasTable && isWrongEverywhere(idOf(finding)))
+                                : isOfLanguage(finding);
+    return finding.range.file == file && goes;
   });
   findings.insert(findings.begin(), std::move(one));
 }

@@ -4,6 +4,7 @@
 #include "analyzer/flow/endings.h"
 #include "analyzer/flow/region_run.h"
 #include "analyzer/flow/unreached.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/turning_text.h"
 #include "interp/state/zero_point.h"
 
@@ -34,6 +35,10 @@ Engine::Engine(Project &programs, FileUnit &entry, const AnalysisLimits &bounds,
 bool Engine::onlyReturns(const ProgramInfo &program) const {
   if (program.kind != ProgramKind::Unknown)
     return program.kind == ProgramKind::Subprogram;
+  return endsByReturn(program);
+}
+
+bool Engine::endsByReturn(const ProgramInfo &program) const {
   constexpr uint32_t tail = 4096; // bytes: an end is among the last blocks
   const uint32_t near = program.end > tail ? unit.source.lines().lineBegin(program.end - tail) : 0;
   const Endings endings =
@@ -86,10 +91,23 @@ void Engine::runMainProgram() {
   // A file whose only end is a return is a subprogram: its caller, and with it the state on entry,
   // is not known.
   const bool several = unit.index.programs().size() > 1;
-  const bool subprogram =
-      several ? mainProgram->kind == ProgramKind::Subprogram : onlyReturns(*mainProgram);
+  const bool subprogram = several ? mainProgram->kind == ProgramKind::Subprogram
+                                  : onlyReturns(*mainProgram) || isContour(*mainProgram);
   enter({unit, *mainProgram, mainProgram->body, RegionKind::Main},
         subprogram ? EntryState::CallerUnknown : EntryState::Known);
+}
+
+/// Whether a program that only the ending of its file calls a main one is a piece of contour that
+/// others call: it ends with a return and names neither feed, tool nor speed.
+bool Engine::isContour(const ProgramInfo &program) const {
+  if (program.kind != ProgramKind::Main || program.hasHeader() || !endsByReturn(program))
+    return false;
+  const AddressMask words = maskOf(letterAddress('F')) | maskOf(letterAddress('S')) |
+                            maskOf(letterAddress('T')) | unit.dialect->feedWords;
+  for (const Block &block : ncvet::blocks(unit.index.reader(), program.body, program.end))
+    if (block.hasAny(words))
+      return false;
+  return !endingsOf(unit, program.body, program.end, /*runs=*/nullptr).ends;
 }
 
 /// Programs that the main program did not call: main programs of their own when they end as such,

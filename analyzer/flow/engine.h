@@ -64,6 +64,8 @@ private:
   Exits execute(const Region &region, Lives entry) override;
   void enter(const Region &region, EntryState entry);
   bool onlyReturns(const ProgramInfo &program) const;
+  bool endsByReturn(const ProgramInfo &program) const;
+  bool isContour(const ProgramInfo &program) const;
   void runMainProgram();
   void runOtherPrograms();
   void runOtherSubprograms();

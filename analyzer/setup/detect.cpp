@@ -32,7 +32,8 @@ std::vector<std::string> firstLines(llvm::StringRef text) {
   text = text.take_front(Detector::shownBytes);
   for (size_t line = 0; line < shownLines && !text.empty(); ++line) {
     const size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    const llvm::StringRef shown = text.take_front(end).trim(" \t");
+    // A `;` at a line's end is how some write the end of a block.
+    const llvm::StringRef shown = text.take_front(end).ltrim(" \t").rtrim(" \t;");
     if (!shown.empty())
       lines.push_back(shown.upper());
     text = text.drop_front(end);
@@ -104,7 +105,8 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   detector.endings_ = {table->extensions, table->looseExtensions};
   detector.unsure_ = {table->unsure.ignore, table->unsure.highest.value_or(Severity::Error)};
   for (auto &[name, marks] : table->otherControls)
-    detector.others_.push_back({name, marks.readAs, std::move(marks.marks)});
+    detector.others_.push_back(
+        {name, marks.readAs, marks.forMachine, marks.alike, std::move(marks.marks)});
   std::vector<DialectSummary> dialects(own.begin(), own.end());
   for (DialectSummary &known : listDialects())
     if (llvm::none_of(own, [&](const DialectSummary &mine) { return mine.id == known.id; }))
@@ -217,10 +219,27 @@ Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const
   if (!without.readAs.empty())
     found.dialect = without.readAs;
   found.sure = false;
-  found.other = without.name + ": " + other->reason();
-  found.reason =
-      "written for a control without a table (" + found.other + "); read as " + found.dialect;
+  found.other = without.name;
+  found.otherMarks = other->reason();
+  found.otherIsAlike = without.alike;
+  found.otherIsNoMachine = !without.forMachine;
+  const std::string what = found.other + ": " + found.otherMarks;
+  found.reason = (without.forMachine ? "written for a control without a table (" + what + ")"
+                                     : "no program of a machine (" + what + ")") +
+                 "; read as " + found.dialect;
   return found;
+}
+
+bool Detector::marks(llvm::StringRef other, llvm::StringRef line) const {
+  const auto control =
+      llvm::find_if(others_, [&](const OtherControl &c) { return c.name == other; });
+  if (control == others_.end())
+    return false;
+  const size_t candidate = dialects_.size() + size_t(control - others_.begin());
+  return llvm::any_of(patterns_.matching(line.trim(" \t").upper()), [&](int mark) {
+    return llvm::any_of(marks_[size_t(mark)].votes,
+                        [&](const Mark::Vote &vote) { return vote.candidate == candidate; });
+  });
 }
 
 llvm::Expected<ProgramEndings> Detector::builtinEndings() {

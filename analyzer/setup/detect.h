@@ -14,8 +14,10 @@ struct Detection {
   /// False when little speaks for the dialect, or more for a control without a table: what rests on
   /// facts of the control alone should not be reported.
   bool sure = false;
-  /// The control without a table that the text is for, with the evidence; empty: none.
-  std::string other = {};
+  /// The control without a table that the text is for, and the evidence; empty: none.
+  std::string other = {}, otherMarks = {};
+  bool otherIsAlike = false;     ///< its language is nearly that of the dialect
+  bool otherIsNoMachine = false; ///< no machine runs such a text
 };
 
 /// What is reported of a program whose control is not known for sure.
@@ -42,6 +44,8 @@ public:
   static constexpr size_t shownBytes = 16 * 1024;
   /// The dialect of a program, from its file name's ending and its first blocks.
   Detection detect(llvm::StringRef fileName, llvm::StringRef text) const;
+  /// Whether a line bears a mark of a control without a table: that control can read it.
+  bool marks(llvm::StringRef other, llvm::StringRef line) const;
   /// Endings that programs have in folders.
   const ProgramEndings &endings() const { return endings_; }
   const UnsureReports &unsure() const { return unsure_; }
@@ -71,6 +75,7 @@ private:
   struct OtherControl {
     std::string name;
     std::string readAs; ///< id of the nearest dialect; empty: the one that the text speaks for
+    bool forMachine, alike;
     std::vector<DetectMark> marks;
   };
   static llvm::Expected<DetectFile> readTable();

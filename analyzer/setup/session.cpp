@@ -475,8 +475,11 @@ OtherControl Session::otherControl(const FileSetup &setup, llvm::StringRef fileN
   }
   const Detection detection = detect(**found, fileName, text);
   if (!detection.other.empty()) {
-    const auto [name, marks] = llvm::StringRef(detection.other).split(": ");
-    return {name.str(), marks.str(), false};
+    const auto hasMark = [detector = *found, name = detection.other](llvm::StringRef line) {
+      return detector->marks(name, line);
+    };
+    return {detection.other,        detection.otherMarks,       false,
+            detection.otherIsAlike, detection.otherIsNoMachine, hasMark};
   }
   if (!detection.sure || areAlike(detection.dialect, *setup.dialect))
     return {};

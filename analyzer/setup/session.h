@@ -31,6 +31,10 @@ struct OtherControl {
   std::string name;  ///< empty: none
   std::string marks; ///< what speaks for it
   bool hasTable = false;
+  bool isAlike = false;     ///< it has no table, but its language is nearly the one that is used
+  bool isNoMachine = false; ///< no machine runs such a text
+  /// Whether a line is its own: with a mark of it.
+  std::function<bool(llvm::StringRef)> hasMark = {};
 };
 
 /// All that the check of one file needs.

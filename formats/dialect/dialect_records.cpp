@@ -338,6 +338,9 @@ constexpr Field otherControlFields[] = {
                                      "id of the dialect whose language is nearest; none: the one "
                                      "that the text looks most like",
                                      "\"linuxcnc\""),
+    flag<&OtherControlFile::forMachine>("forMachine", "a machine runs such texts"),
+    flag<&OtherControlFile::alike>("alike",
+                                   "its language is nearly that of the dialect that it is read as"),
     field<&OtherControlFile::marks>("marks", listOf(mark), "marks in a program's text"),
 };
 

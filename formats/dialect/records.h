@@ -18,6 +18,8 @@ struct ProgramMarks {
 /// A control without a table.
 struct OtherControlFile : ProgramMarks {
   std::string readAs; ///< id of the dialect that is nearest to it; empty: what the text looks like
+  bool forMachine = true; ///< false: no machine runs such a text
+  bool alike = false;     ///< its language is nearly that of the dialect that it is read as
 };
 
 // dialect_records.cpp

@@ -49,8 +49,8 @@ public:
                     ctx.text(*words.foreign), where, first, second);
     if (plane)
       finding.note(planeOrigin, "`" + plane->name + "` is selected here");
-    if (complete && !zeroCounts_ && zero)
-      finding.severity(Severity::Style); // changes nothing
+    if (complete && ((!zeroCounts_ && zero) || movesAlong(ctx, words.foreign->address)))
+      finding.severity(Severity::Style); // changes nothing, or is the lead of a helix
     if (complete) {
       finding.fix(FixSafety::Unsafe, "remove `" + ctx.text(*words.foreign).str() + "`",
                   ctx.remove(*words.foreign));
@@ -63,6 +63,12 @@ public:
   }
 
 private:
+  /// The block also moves along the axis of a centre word.
+  static bool movesAlong(const RuleContext &ctx, AddressId centre) {
+    return centre >= letterAddress('I') && centre <= letterAddress('K') &&
+           (axesOf(ctx.dialect(), ctx.block()) >> unsigned(centre - letterAddress('I')) & 1);
+  }
+
   /// `G18`, then `G2 X50. Y20. I10. J0`: the end is one of another plane, as the centre is.
   static bool movesOutOfPlane(const RuleContext &ctx, const ArcWords &words) {
     const AddressId foreign = words.foreign->address;

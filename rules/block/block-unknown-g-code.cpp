@@ -14,6 +14,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::UnknownCode);
     remapped_ = to.flag("remapped");
+    macros_ = to.flag("macros");
     whole_ = to.dialect().facts->text.wholeCodes == 1;
   }
 
@@ -23,7 +24,21 @@ public:
       return;
     if (remapped_)
       return memory().own.meet(event.word->codeNumber(), ctx.range(*event.word));
-    if (auto finding = ctx.report(event))
+    if (macros_ && ctx.index().definition(ctx.index().programAt(ctx.block().begin),
+                                          ctx.text(*event.word).upper()))
+      return;
+    // A number of the builder's own beside nothing else may be the name of a macro.
+    const bool mayBeMacro = macros_ && event.word->codeNumber() >= firstOfMacros &&
+                            ctx.block().words.size() == 1 && ctx.block().items.empty();
+    auto finding = ctx.report(event, mayBeMacro ? false : event.certain);
+    if (!finding)
+      return;
+    if (mayBeMacro)
+      finding.severity(Severity::Warning)
+          .message("`{0}` does not exist on this control: unless the machine's macros define it, "
+                   "the block is refused",
+                   ctx.text(*event.word));
+    else
       finding.message("`{0}` does not exist on this control: the block is refused",
                       ctx.text(*event.word));
   }
@@ -34,6 +49,9 @@ public:
   }
 
 private:
+  static constexpr int64_t firstOfMacros = 100; // fewer digits are the control's
+
+  bool macros_ = false;   ///< macros may have the names of codes
   bool remapped_ = false; ///< the machine may define codes: all of a file are told once
   bool whole_ = false;    ///< a code with decimals is no whole number, as another rule says
 };

@@ -28,8 +28,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (makesHole(code.cycle))
       return hasPlaneVariable(code) ? wayToHole(event, code, ctx) : belowSurface(event, code, ctx);
-    if (event.kind != EventKind::CycleRun ||
-        (code.cycle != CycleKind::Pocket && code.cycle != CycleKind::Contour))
+    if (event.kind != EventKind::CycleRun || !hasPlanes(code))
       return;
     const std::array<const Word *, 3> words = planesOf(code, ctx);
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
@@ -54,6 +53,14 @@ public:
   }
 
 private:
+  /// A turning cycle, which has no depth below a plane, finds its own way to the contour.
+  static bool hasPlanes(const CodeInfo &code) {
+    return code.cycle == CycleKind::Pocket ||
+           (code.cycle == CycleKind::Contour && llvm::any_of(code.words, [](const WordSpec &spec) {
+              return spec.role == Role::Depth;
+            }));
+  }
+
   /// The retraction plane is the first argument after the name of the contour; the plane of the
   /// part and the safety distance above it follow.
   static std::array<const Word *, 3> planesOf(const CodeInfo &code, const RuleContext &ctx) {

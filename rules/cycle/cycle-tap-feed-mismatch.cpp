@@ -30,6 +30,7 @@ public:
     leastPitch_ = to.number("leastPitch", 0.05);
     greatestPitch_ = to.number("greatestPitch", 12);
     leads_ = to.flag("leads");
+    to.onCode([](const CodeInfo &code) { return isRigidTapping(code); });
     parts_ = drillParts(to.dialect(), to.machine());
     if (!parts_.empty())
       to.onCode([](const CodeInfo &code) { return makesHole(code.cycle) && code.arguments; });
@@ -38,6 +39,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
+      if (isRigidTapping(ctx.code(event)))
+        return wayBack(event, ctx);
       return ofPart(event, ctx);
     }
     // A cycle that takes speed and lead among its own words does without F.
@@ -96,6 +99,33 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-tap-feed-mismatch"};
+
+  /// In and out are codes of their own, and each has the lead.
+  static bool isRigidTapping(const CodeInfo &code) {
+    return code.action == Action::Thread && code.leavesNoSpeed;
+  }
+
+  /// Out of the hole with another lead than into it.
+  static void wayBack(const Event &event, RuleContext &ctx) {
+    Block before;
+    if (!readPrevious(ctx, before))
+      return;
+    const CodeInfo *const into = findCode(ctx.dialect(), before, {Action::Thread});
+    if (!into || !isRigidTapping(*into) || into == &ctx.code(event))
+      return;
+    for (const char letter : {'I', 'J', 'K'}) {
+      const Word *const out = ctx.block().find(letterAddress(letter));
+      const Word *const in = before.find(letterAddress(letter));
+      if (!out || !in || !out->isNumber() || !in->isNumber() ||
+          std::fabs(out->value()) == std::fabs(in->value()))
+        continue;
+      if (auto finding = ctx.report(*out, event.certain))
+        finding.message("`{0}` leads the tap out of the hole, and the block before has led it in "
+                        "with `{1}`: the thread is torn",
+                        ctx.text(*out), ctx.source().text(in->offset, before.endOf(*in)));
+      return;
+    }
+  }
 
   /// A feed that is no usual pitch, whether it counts by the minute or by the turn.
   bool isNeither(double feed, const RuleContext &ctx) const {

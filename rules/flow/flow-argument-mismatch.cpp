@@ -165,7 +165,7 @@ private:
     finding
         .message(head ? "`{0}` has to be the program's first block"
                       : "`{0}` has to come before the first block that runs",
-                 ctx.text(range))
+                 ctx.text(range).trim())
         .note(first, "this block comes before");
     // Where only modes were set many controls take it.
     if (!head && of.moves >= here)

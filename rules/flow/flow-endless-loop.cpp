@@ -75,7 +75,8 @@ private:
         return false;
     return true;
   }
-  /// `GOTOB` over a dwell or a stop and nothing that moves: the program waits for its reset.
+  /// `GOTOB` over a dwell, a stop or a question to the machine, and nothing that moves: the program
+  /// waits.
   static bool pauses(const RuleContext &ctx) {
     const Block &here = ctx.block();
     const Flow &flow = ctx.outcome().flow;
@@ -92,9 +93,17 @@ private:
       if (block.hasAny(ctx.dialect().axisWords) && !findCode(ctx.dialect(), block, {Action::Dwell}))
         return false;
       stays |= findCode(ctx.dialect(), block,
-                        {Action::Dwell, Action::ProgramStop, Action::OptionalStop}) != nullptr;
+                        {Action::Dwell, Action::ProgramStop, Action::OptionalStop}) ||
+               asksMachine(block, ctx);
     }
     return stays;
+  }
+  /// `IF $A_IN[4]==0`: what a variable of the control holds changes from outside.
+  static bool asksMachine(const Block &block, const RuleContext &ctx) {
+    return llvm::any_of(block.items, [&](const Item &item) {
+      return item.condition != noExpression &&
+             ctx.source().text(block.begin, block.end).split(';').first.contains('$');
+    });
   }
   static constexpr uint64_t firstCommon = 100; ///< those before are the program's own
 

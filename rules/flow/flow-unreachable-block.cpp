@@ -2,6 +2,7 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "formats/dialect/control_facts.h"
 
 #include <algorithm>
 
@@ -90,10 +91,22 @@ private:
         return;
       if (!file.isReached(block.begin) && !onlyEndsLoop(block) &&
           !(endsAfterLoop(block, ctx) && !ends))
-        if (auto finding = ctx.report(contentOf(block, file.source)))
-          finding.message("no path leads to this block: it is never executed");
+        if (auto finding = ctx.report(contentOf(block, file.source))) {
+          if (headsProgram(block))
+            finding.severity(Severity::Warning)
+                .message("this begins a program in the middle of another one: the control finds "
+                         "a program in a file of its own, and never comes here");
+          else
+            finding.message("no path leads to this block: it is never executed");
+        }
       return;
     }
+  }
+
+  /// `PROC NAME`: most likely it is called by its name.
+  static bool headsProgram(const Block &block) {
+    return llvm::any_of(block.items,
+                        [](const Item &item) { return item.kind == ItemKind::Parameters; });
   }
 
   /// `END1` after a jump out of the loop: nothing is lost.

@@ -3,6 +3,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turned_pass.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/text_answers.h"
@@ -33,9 +34,12 @@ public:
     if (ctx.block().has(letterAddress('F')) && withoutCode(event, ctx))
       return;
     if (lathe_) {
+      throughTurned(event, ctx);
       towardsChuck(event, ctx);
       return alongWork(event, ctx);
     }
+    if (isTurning(ctx))
+      return throughTurned(event, ctx);
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
     if (isRapidWithFeed(ctx) && !endsLowerBelowZero(ctx))
       memory().feedsRapids = true;
@@ -166,6 +170,20 @@ private:
         return Station::Move;
     }
     return Station::None;
+  }
+
+  /// A lathe: after a pass along the work straight to the begin of a deeper one, through what was
+  /// just turned: Z first, and then X.
+  static void throughTurned(const Event &event, RuleContext &ctx) {
+    const auto crossed = crossedPass(event, ctx);
+    if (!crossed)
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("this rapid move leads through the diameter {0} that was just turned, at Z{1}: "
+                   "first Z, then X",
+                   shortNumber(crossed->pass.diameter), shortNumber(crossed->at))
+          .note(crossed->pass.range, "this cut leaves it");
   }
 
   /// A lathe: to the place where the program changes its tools, but for the sign of Z.

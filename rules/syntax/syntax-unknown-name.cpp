@@ -142,8 +142,9 @@ private:
   /// it, and so may the machine's own definitions.
   void undefined(const Event &event, RuleContext &ctx) const {
     const auto key = uint64_t(event.variable());
-    if (event.variable() < int64_t(firstNamedVariable) || ctx.callDepth() > 0 || isSubprogram(ctx))
+    if (event.variable() < int64_t(firstNamedVariable))
       return;
+    const bool called = ctx.callDepth() > 0 || isSubprogram(ctx);
     // Among the words of a move it is an axis that the builder has named.
     if (ctx.block().hasAny(ctx.dialect().axisWords))
       return;
@@ -158,12 +159,14 @@ private:
       const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
       const bool parameter =
           name.startswith_insensitive("R") && llvm::all_of(name.drop_front(), llvm::isDigit);
-      if (name.empty() || parameter || !llvm::isAlpha(name[0]) || // `_NAME` is the builder's
-          name.contains('[') || ctx.index().definition(program, name) ||
-          ctx.dialect().keyword(name) != noCode)
+      if (name.empty() || parameter || !isLetter(name[0]) || name.contains('[') ||
+          ctx.index().definition(program, name) || ctx.dialect().keyword(name) != noCode)
         return;
-      // Names as builders write them may be definitions of the machine, if none is like them.
-      if (mayBeOfMachine(name) && !nearlyDefined(name, ctx.index().definitions(program)))
+      // Names as builders write them may be definitions of the machine, if none is like them, and
+      // those of a subprogram the caller's.
+      const Defined *near = nearlyDefined(name, ctx.index().definitions(program));
+      if (called ? !near || isMentionedAgain(ctx.range(*near), program, ctx)
+                 : mayBeOfMachine(name) && !near)
         return;
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
@@ -177,21 +180,23 @@ private:
   /// A name is read that the program does not define. Where it defines one that is almost the same
   /// that one was meant; names as builders write them may be definitions of the machine.
   void undefinedRead(const Event &event, RuleContext &ctx) const {
-    if (ctx.callDepth() > 0 || isSubprogram(ctx))
-      return;
+    const bool called = ctx.callDepth() > 0 || isSubprogram(ctx);
     const auto begin = event.place();
     const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
       return llvm::isAlnum(c) || c == '_';
     });
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     // (`R8F100.`: a parameter and the word after it, for no name has a digit second)
-    if (name.size() < shortest || !llvm::isAlpha(name[0]) || llvm::isDigit(name[1]) ||
+    if (name.size() < shortest || !isLetter(name[0]) || llvm::isDigit(name[1]) ||
         ctx.index().definition(program, name) || known_.count(variableKey(name)) ||
         !memory().spoken.insert(variableKey(name)).second)
       return;
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
     if (const Defined *near = nearlyDefined(name, ctx.index().definitions(program))) {
       const SourceRange defined = ctx.range(*near);
+      // In a subprogram the caller may have defined the name, save where the other is for nothing.
+      if (called && isMentionedAgain(defined, program, ctx))
+        return;
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
             .message("the program defines no `{0}`, but `{1}`: unless the machine's own "
@@ -200,7 +205,7 @@ private:
             .note(defined, "this name is defined");
       return;
     }
-    if (isArgument(range, ctx.block()) || mayBeOfMachine(name))
+    if (called || isArgument(range, ctx.block()) || mayBeOfMachine(name))
       return;
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
@@ -249,6 +254,20 @@ private:
         near = &entry.getValue();
     }
     return near;
+  }
+
+  static bool isLetter(char c) { return llvm::isAlpha(c) || c == '_'; }
+
+  /// Whether the text of the program has the name of a definition in a second place.
+  static bool isMentionedAgain(const SourceRange &defined, const ProgramInfo &program,
+                               const RuleContext &ctx) {
+    constexpr uint32_t readable = 1u << 18;
+    if (program.end - program.begin > readable)
+      return true;
+    const std::string name = ctx.text(defined).upper();
+    const std::string text = ctx.source().text(program.begin, program.end).upper();
+    const size_t first = text.find(name);
+    return first == std::string::npos || text.find(name, first + 1) != std::string::npos;
   }
 
   static constexpr size_t shortest = 4; ///< shorter names differ by a letter on purpose

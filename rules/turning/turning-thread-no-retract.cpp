@@ -1,6 +1,7 @@
 // A single thread stroke is not followed by a retract at rapid.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turned_pass.h"
 #include "analyzer/program/references.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
@@ -16,12 +17,15 @@ struct TurningThreadNoRetractMemory {
 class TurningThreadNoRetract final : public StatefulRule<TurningThreadNoRetractMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().isLathe())
+    lathe_ = to.dialect().isLathe();
+    if (lathe_ || to.flag("turns"))
       to.onChange({EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
+    if (!lathe_ && !isTurned(ctx))
+      return sleepInShape();
     const bool threads =
         before.activeAction(ctx.dialect(), StandardGroup::Motion) == Action::Thread;
     // `G00` in a block of its own is between the stroke and the move back.
@@ -57,6 +61,14 @@ public:
   }
 
 private:
+  /// A thread is in force, and none that is tapped.
+  static bool isTurned(const RuleContext &ctx) {
+    const CodeInfo *motion = ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion);
+    return isTurning(ctx) && !(motion && motion->leavesNoSpeed);
+  }
+
+  bool lathe_ = false;
+
   /// Reads the stroke along Z that was the last move before the block: nothing but switches
   /// between the two, or the call that leads here.
   static bool readStroke(const RuleContext &ctx, Block &stroke) {

@@ -198,5 +198,63 @@ TEST(LooksLikeProgram, BlocksDoAndProseDoesNot) {
   EXPECT_FALSE(looksLikeProgram("{ \"a\": 1 }\n"));
 }
 
+TEST(Detection, AFiveDigitNumberIsNoFanuc) {
+  const Detection found = detector().detect(
+      "a.nc", "%\nO00001 (PLATE)\nT1 M06 (DRILL)\nG90 G54 G00\nS2000 M03\nG43 H01 Z0.5 M08\n"
+              "G81 Z-.135 R.25 F10.0\nX-.75 Y-.75\nG80\nM30\n%\n");
+  EXPECT_EQ("haas-mill", found.dialect) << found.reason;
+  EXPECT_FALSE(found.sure);
+}
+
+TEST(Detection, DataOfACycleBeforeTheSignOfABlocksEndCount) {
+  EXPECT_EQ("fanuc-lathe", detector()
+                               .detect("a.nc", "O0004 (GROOVE) ;\nG50 X44.0 Z2.0 ;\nG74 R0.3 ;\n"
+                                               "G74 X10.0 Z-12.0 P6.0 Q4.0 F0.15 ;\nM30 ;\n")
+                               .dialect);
+}
+
+TEST(Detection, AMakersNameInACommentNamesNoKindOfMachine) {
+  const Detection found =
+      detector().detect("a.nc", "%\nO0001\nT100\nG99 G97\nM3 S2000\nG0 X10 Z0\nG1 X0 F0.02\n"
+                                "G0 X40.0\nG0 C0\nT3200\nG0 X20. Z7. Y0\nG1 X-20.0 F0.02\n"
+                                "(machine=FANUC_STAR)\nM30\n");
+  EXPECT_EQ("fanuc-lathe", found.dialect) << found.reason;
+}
+
+TEST(Detection, ANumberInACommentIsNoVariableOfAnotherControl) {
+  EXPECT_EQ("", detector()
+                    .detect("a.ngc", "G97 S250 M3 (RPM 250)\n;G96 S80 M3 (VC80 MAX)\n"
+                                     "G76 P1.5 Z-40 I2 J0.25 K2 H3\nM2\n")
+                    .other);
+}
+
+TEST(Detection, OlderControlsAndSimulatorsAreNamed) {
+  EXPECT_EQ("Sinumerik 810 or 850",
+            detector()
+                .detect("a.spf", "N100 G54\nN140 S2000 M03\n"
+                                 "N200 R01=1 R02=0. R03=1 R12=5.0 R15=80.0 R24=1.5 L903\n")
+                .other);
+  EXPECT_EQ("Huazhong",
+            detector().detect("a.nc", "%9811\n;cycle for HNC8\nIF[AR[#223] EQ 90]\nENDIF\n").other);
+  const Detection simulated = detector().detect(
+      "a.nc", "($SetPartSize(100, 100, 20, 1) )\n(Fanuc sample)\n%\nO123 (SAMPLE)\nT06 M6\n");
+  EXPECT_EQ("the simulator CNCSimulator", simulated.other);
+  EXPECT_FALSE(simulated.sure);
+}
+
+TEST(Detection, WordsOfOneControlDecideWhateverTheEnding) {
+  const char *const turned =
+      "N10 WORKPIECE(,,,\"CYLINDER\",0,0,-160,-160,80)\nN20 G18 G90 G95 G40 DIAMON G500\n"
+      "N30 T1 D1\nN40 G97 S400 M3\n";
+  EXPECT_EQ("sinumerik", detector().detect("a.nc", turned).dialect);
+  EXPECT_EQ("sinumerik", detector().detect("a.nc", "T=\"CAL_TYPA\"\nM6\nD1\nHOME\nM17\n").dialect);
+  EXPECT_EQ("linuxcnc",
+            detector().detect("a.nc", "F10 (feed)\nG5.2 P1 L3\n X0 Y1 P1\nG5.3\nM2\n").dialect);
+  EXPECT_EQ("haas-mill", detector()
+                             .detect("a.nc", "O00011 (SLOT)\nT17 D17 M06\nG52 X0 Y0\n"
+                                             "G101 Y0.\nM98 P100\nG100 Y0.\nM30\n")
+                             .dialect);
+}
+
 } // namespace
 } // namespace ncvet

@@ -46,7 +46,7 @@ TEST(ForeignText, AProgramOfAnotherControlIsToldOnceByItsName) {
   const auto findings = check("fanuc-0t", "$FLANGE.MIN%\n(FLANGE)\nPRES=1\nFLAN=318\nSPIG=268.975\n"
                                           "NM59 M59\nG50 S2000\nT0101\nG0 X100. Z10.\nM02\n");
   ASSERT_EQ(1u, findings.size());
-  EXPECT_EQ(0u, findings[0].finding.message.find("5 of 5 blocks are for another control: Okuma ("))
+  EXPECT_EQ(0u, findings[0].finding.message.find("5 of 10 blocks are for another control: Okuma ("))
       << findings[0].finding.message;
 }
 
@@ -85,6 +85,44 @@ TEST(ForeignText, AGuessedControlGivesNoErrorAndNothingThatRestsOnItsFacts) {
   ASSERT_EQ(1u, findings.size());
   EXPECT_EQ("arc-radius-mismatch", allRules()[findings[0].finding.rule].info.id);
   EXPECT_EQ(Severity::Warning, findings[0].finding.severity);
+}
+
+TEST(ForeignText, ATextOfNoMachineIsCalledSo) {
+  const auto findings = check("fanuc-mill", "O4113 (MACRO EXAMPLE 1)\n{BEGIN}\n{$DRILL=100}\n"
+                                            "{BEGIN_SUBS}\n100 (CIRCLE)\nRETURN\n{END_SUBS}\n"
+                                            "N1 T{$TOOL1} M6\n{END}\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_NE(std::string::npos, findings[0].finding.message.find(
+                                   "are no program of a machine: a template of the editor"))
+      << findings[0].finding.message;
+}
+
+TEST(ForeignText, ACommandOfTheRouterThatWasFoundOutIsNoUnreadableBlock) {
+  const auto findings = check("auto", "(msg start)\n{\"gc\":\"g00g17g21g40g49g80g90\"}\n"
+                                      "{\"gc\":\"g55\"}\ng0x0y0z5\nf300\ng1x10\nm2\n");
+  for (const CheckedFinding &found : findings)
+    EXPECT_EQ(std::string::npos, found.finding.message.find("no block"));
+}
+
+TEST(ForeignText, WhatIsWrongOnEveryControlIsToldByItself) {
+  std::string text = "; Source: mach3.gcode\nG21 G17 G90\nM3\nF140\nG0 X3.59 Y1.745\n";
+  for (int i = 0; i < 3; ++i)
+    text += "G02 X4.1 Y2.255 R0.255\nG02 X3.59 Y1.745 R0.255\n";
+  const auto findings = check("fanuc-mill", text + "M5\nM30\n");
+  ASSERT_FALSE(findings.empty());
+  for (const CheckedFinding &found : findings)
+    EXPECT_EQ(std::string::npos, found.finding.message.find("another control"))
+        << found.finding.message;
+}
+
+TEST(ForeignText, AllLinesOfATextThatIsNotReadCount) {
+  std::string text = "$OKUMA.SSB%\n(OKUMA OSP5020M)\n";
+  for (int i = 0; i < 40; ++i)
+    text += "G0 X" + std::to_string(i) + "\n";
+  const auto findings = check("linuxcnc", text);
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_NE(std::string::npos, findings[0].finding.message.find(" of 42 blocks"))
+      << findings[0].finding.message;
 }
 
 } // namespace
