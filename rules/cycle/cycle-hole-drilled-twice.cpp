@@ -84,8 +84,9 @@ public:
 
 private:
   static constexpr size_t longestList = 5000;
-  /// A power of two: a third of them is taken at most, so that the next free one is near.
-  static constexpr size_t slotCount = 1u << 14;
+  /// A power of two. There are more slots for longer lists, so that the next free one is near.
+  static constexpr size_t fewestSlots = 1u << 8;
+  static constexpr size_t slotsOfHole = 3;
   /// A slot holds the index of a hole, from 1, and above it the number of the list to which it
   /// belongs: those of lists before it are free.
   static constexpr unsigned indexBits = 16;
@@ -100,7 +101,14 @@ private:
       return known;
     made_.push_back({begin, end, key});
     slots_[slot] = number_ << indexBits | uint32_t(made_.size());
+    if (made_.size() * slotsOfHole > slots_.size())
+      grow();
     return nullptr;
+  }
+  void grow() {
+    slots_.assign(slots_.size() * 2, 0);
+    for (size_t i = 0; i < made_.size(); ++i)
+      slots_[slotOf(made_[i].key)] = number_ << indexBits | uint32_t(i + 1);
   }
   /// The hole of that slot; null: it is free.
   const Made *holeAt(size_t slot) const {
@@ -109,14 +117,15 @@ private:
   }
   /// Where the hole of that key is, or would be.
   size_t slotOf(uint64_t key) const {
-    size_t slot = key % slotCount;
+    const size_t mask = slots_.size() - 1;
+    size_t slot = key & mask;
     for (const Made *made = holeAt(slot); made && made->key != key; made = holeAt(slot))
-      slot = (slot + 1) % slotCount;
+      slot = (slot + 1) & mask;
     return slot;
   }
   void clear() {
     if (slots_.empty() || number_ == mostLists) {
-      slots_.assign(slotCount, 0);
+      slots_.assign(std::max(slots_.size(), fewestSlots), 0);
       number_ = 0;
     }
     ++number_;
