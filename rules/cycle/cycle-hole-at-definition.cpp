@@ -1,5 +1,6 @@
 // With incremental repeats the place where the cycle is called gets no hole.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
 
@@ -93,6 +94,8 @@ private:
   /// The first hole of a whole program: some block has gone to its place.
   void firstPlace(const Event &event, RuleContext &ctx) const {
     memory().axes |= event.axes;
+    if (event.kind == EventKind::Motion) // further ones of a stretch name the same axes
+      sleepInStretch();
     if (memory().said || ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode)) {
       memory().said = true;
       return;
