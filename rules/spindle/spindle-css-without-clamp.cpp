@@ -69,6 +69,8 @@ private:
   void limitAlone(const Event &event, RuleContext &ctx) const {
     if (ctx.before().may(Fact::UnknownCode) || ctx.callDepth() > 0)
       return;
+    if (!cutsAtSpeed(ctx))
+      return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     ctx.index().reader(); // the program is looked through, now or before
     const Limits &known =
@@ -79,6 +81,27 @@ private:
       finding.severity(Severity::Warning)
           .message("no constant cutting speed comes after this limit, as after the others of the "
                    "program: the S that follows it is a speed of the spindle");
+  }
+
+  /// Whether a cut follows at an S of the spindle, before another limit or a mode of the speed:
+  /// what the others of the program do need not be known else.
+  static bool cutsAtSpeed(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    bool speed = false;
+    for (const Block &block : blocks(ctx.index().reader(), ctx.block().end, program.end)) {
+      if (limits(block, ctx) ||
+          findCode(ctx.dialect(), block, {Action::SurfaceSpeed, Action::ConstantSpeed}))
+        return false;
+      speed |= block.has(letterAddress('S'));
+      if (speed && cuts(block, ctx))
+        return true;
+    }
+    return false;
+  }
+
+  static bool cuts(const Block &block, const RuleContext &ctx) {
+    return findCode(ctx.dialect(), block,
+                    {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle}) != nullptr;
   }
 
   static Limits readLimits(const ProgramInfo &program, const RuleContext &ctx) {
@@ -106,8 +129,7 @@ private:
         waits = false;
       }
       speed |= open && block.has(letterAddress('S'));
-      cut |= speed && findCode(dialect, block,
-                               {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle});
+      cut |= speed && cuts(block, ctx);
     }
     close();
     return found;
