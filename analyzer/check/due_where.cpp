@@ -66,7 +66,9 @@ void dropUndue(Project &project, const FileUnit &unit, std::vector<Finding> &fin
     return traits.try_emplace(text.source.id(), text).first->second.has(wanted);
   };
   llvm::erase_if(findings, [&](const Finding &finding) {
-    const uint8_t wanted = rulePage(finding.rule).dueWhere;
+    // What is more than style has another proof than the axes that the text names.
+    const uint8_t wanted = rulePage(finding.rule).dueWhere &
+                           (finding.severity == Severity::Style ? 0xFF : ~programsThreeAxes);
     return wanted && !has(unit, wanted) &&
            !has(project.unit(project.sources().get(finding.range.file)), wanted);
   });

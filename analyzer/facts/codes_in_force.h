@@ -45,4 +45,11 @@ inline bool turnsWork(const Dialect &dialect, const MachineState &state) {
                         {Action::DiameterOn, Action::DiameterAbsolute}) == Truth::Yes;
 }
 
+/// Millimetres of the diameter per unit of X in a state: where X is not a diameter by nature, a
+/// state has it as a radius.
+inline double diameterFactor(const Dialect &dialect) {
+  constexpr double both = 2; // sides
+  return both / dialect.lengthsPerUnit(Axis::X);
+}
+
 } // namespace ncvet

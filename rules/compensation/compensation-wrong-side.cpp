@@ -1,5 +1,6 @@
 // Radius compensation on the side of the material, or on that which the tool's nose does not have.
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/facts/turning_profile.h"
@@ -43,6 +44,10 @@ public:
       besideNose(event, ctx);
       if (ctx.before().compensation != phaseOn)
         sleepInShape();
+    } else if (turnsWork(ctx.dialect(), ctx.after())) {
+      memory().entry.reset();
+      if (event.kind == EventKind::Motion)
+        onLathe(event, ctx);
     } else if (event.kind == EventKind::CompensationMove) {
       enters(event, ctx);
     } else {

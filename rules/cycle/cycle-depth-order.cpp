@@ -104,6 +104,14 @@ private:
                         shortNumber(state.initialLevel.value() / *unit));
       return;
     }
+    if (unit && z && zWord && !r && drillsAway(event, *zWord, *z * *unit, ctx)) {
+      if (auto finding = ctx.report(*zWord))
+        finding.message("`{0}` leads away from the work: `{1}` begins at {2} and there is nothing "
+                        "to drill",
+                        ctx.text(*zWord), code.name,
+                        shortNumber(state.initialLevel.value() / *unit));
+      return;
+    }
     if (!unit || !r || !z || increments || mixed(state.cycle, code, ctx.dialect()) ||
         (rWord && rWord->has(wordIncremental)) || (zWord && zWord->has(wordIncremental)))
       return;
@@ -230,6 +238,18 @@ private:
     if (auto finding = ctx.report(word, event.certain))
       finding.message("`{0}` of `{1}` counts upwards from {2}: there is nothing to drill there",
                       ctx.text(word), code.name, retractOf(code));
+  }
+
+  /// A lathe's hole on the axis, drilled from before the face: further away from it.
+  static bool drillsAway(const Event &event, const Word &depth, double bottom,
+                         const RuleContext &ctx) {
+    const Interval &from = ctx.after().initialLevel, &x = ctx.after().at(Axis::X);
+    return event.kind == EventKind::CycleStart && event.certain && ctx.dialect().isLathe() &&
+           (ctx.dialect().axisWords & maskOf(depth.address)) && !depth.has(wordIncremental) &&
+           toolAxis(ctx.dialect(), ctx.after()) == Axis::Z && from.isConstant() &&
+           from.value() > 0 && bottom > from.value() + tolerance && x.isConstant() &&
+           x.value() == 0 && !ctx.after().inMachineCoordinates(Axis::Z) &&
+           !ctx.after().may(Fact::UnknownCode);
   }
 
   /// An increment of depth away from the work. Whether it counts from R or from the start, a hole

@@ -1,7 +1,11 @@
 // A word of a canned or turning cycle has a value that the cycle does not take.
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/path_ahead.h"
+#include "analyzer/facts/turning_profile.h"
 #include "analyzer/facts/word_checks.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "interp/evaluate/cycle_parameters.h"
 
 namespace ncvet {
 namespace {
@@ -30,6 +34,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
+    if (event.kind == EventKind::CycleRun && ctx.code(event).cycle == CycleKind::RoughTurn)
+      wholeStock(event, ctx);
     // A later block of a modal cycle may give a word anew.
     if (event.kind == EventKind::CycleRun &&
         (ctx.codeWord(event) || !namesRange(ctx.block(), ctx.code(event))))
@@ -53,6 +59,30 @@ public:
   }
 
 private:
+  /// A depth of cut that is more than all that roughing takes away: one pass cuts it all.
+  static void wholeStock(const Event &event, RuleContext &ctx) {
+    constexpr double heavy = 5, most = 100; // mm, of the radius; more counts in increments
+    const Interval &start = ctx.after().at(Axis::X);
+    if (ctx.outcome().flow.kind != FlowKind::Profile || !event.certain || !start.isConstant())
+      return;
+    const ExecutedBlock executed = executedBlock(ctx);
+    const auto depth = CycleParameters(executed, ctx.code(event)).length(Role::CutDepth);
+    if (!depth || !depth->isConstant() || depth->value() <= heavy || depth->value() > most)
+      return;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known || !profile.minX || profile.side != Side::Outside)
+      return;
+    const double stock = (start.value() - *profile.minX) / ctx.dialect().lengthsPerUnit(Axis::X);
+    if (stock <= 0 || depth->value() <= stock)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("the depth of cut of `{0}` is {1}, and all that it roughs is {2}: one pass cuts "
+                   "it all",
+                   ctx.code(event).name, shortLength(ctx, depth->value()), shortLength(ctx, stock))
+          .note(profile.blocks.front().range, "the profile begins here");
+  }
+
   /// A text of other characters than the control can make.
   static void characters(const WordSpec &spec, RuleContext &ctx) {
     const Word *word = wordFor(ctx.block(), spec);

@@ -1,7 +1,9 @@
 // The pecks of a drilling cycle are missing, not positive, or contradict each other.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/path_ahead.h"
 #include "analyzer/facts/word_checks.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "interp/evaluate/cycle_parameters.h"
 
 namespace ncvet {
 namespace {
@@ -46,6 +48,7 @@ public:
       checkOrder(event, code, ctx);
       if (!again)
         checkDepth(event, code, ctx);
+      checkSize(event, code, ctx);
     }
     if (!again)
       return ctx.reportNotices(id, event);
@@ -79,6 +82,52 @@ private:
       finding.severity(Severity::Warning)
           .message("`{0}` is more than the whole hole: `{1}` drills it in one stroke",
                    ctx.text(*word), code.name);
+  }
+
+  /// A lathe's peck that is larger than the whole hole, or one so small that a zero or a point was
+  /// lost.
+  static void checkSize(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    constexpr double most = 500; // pecks
+    const MachineState &state = ctx.after();
+    const Word *const word = wordOf(ctx.block(), code, Role::Peck);
+    const Word *const depth = wordOf(ctx.block(), code, Role::Depth);
+    if (!event.certain || !word || !word->isNumber() || !depth || !depth->isNumber() ||
+        !(ctx.dialect().axisWords & maskOf(depth->address)) || depth->has(wordIncremental) ||
+        (!ctx.dialect().isLathe() &&
+         state.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) != Truth::Yes))
+      return;
+    const auto unit = millimetresPer(ctx.dialect(), state);
+    const ExecutedBlock executed = executedBlock(ctx);
+    const auto peck = CycleParameters(executed, code).length(Measure::Step, Role::Peck);
+    const auto level = kept(state, code, Role::Retract);
+    const Interval &start = state.initialLevel;
+    if (!unit || !peck || !peck->isConstant() || peck->value() <= 0 ||
+        !isWhole(*word, code, ctx.dialect()) || (!level && !start.isConstant()))
+      return;
+    const double from = level ? *level * *unit : start.value();
+    const double whole = from - depth->value() * *unit;
+    const bool larger = ctx.dialect().isLathe() && peck->value() > whole;
+    if (whole <= 0 || (!larger && whole / peck->value() <= most))
+      return;
+    if (auto finding = ctx.report(*word)) {
+      if (larger)
+        finding.severity(Severity::Warning)
+            .message("the peck `{0}` of `{1}` is larger than the whole hole: it is drilled in one "
+                     "stroke",
+                     ctx.text(*word), code.name);
+      else
+        finding.severity(Severity::Warning)
+            .message("the peck `{0}` of `{1}` makes more than {2} strokes of this hole: was a zero "
+                     "or a point lost?",
+                     ctx.text(*word), code.name, int(most));
+    }
+  }
+
+  /// The number counts in units of the program, or in increments that the table turns into such.
+  static bool isWhole(const Word &word, const CodeInfo &code, const Dialect &dialect) {
+    const bool point = word.has(wordPoint);
+    return formulaOf(code, Measure::Step) ? !point
+                                          : point || !(dialect.pointAdvised & maskOf(word.address));
   }
 
   /// Shrinking pecks: the reduction and the least peck are smaller than the first one.

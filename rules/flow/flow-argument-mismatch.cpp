@@ -1,9 +1,14 @@
 // A call and what it calls do not agree in their arguments.
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/callers.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/condition.h"
+#include "interp/value/macro_argument.h"
+
+#include <array>
 
 namespace ncvet {
 namespace {
@@ -88,14 +93,105 @@ private:
 
   bool words_ = false; ///< a call takes no words of its block
 
-  static void atCode(const Event &event, RuleContext &ctx) {
+  /// What a macro works with, and what the calls of its file give it: bits by letter.
+  struct Sisters {
+    uint32_t places = 0; ///< something is worked out with them
+    uint32_t asked = 0;  ///< the macro looks whether it has them, or gives them a value itself
+    unsigned calls = 0;  ///< 0: not all of them are known
+    std::array<unsigned, 26> given{};
+  };
+  TextAnswers<std::pair<FileId, uint32_t>, Sisters> sisters_; ///< by macro
+
+  /// `G65` without an argument that all other calls of the same macro give, and that the macro
+  /// works something out with.
+  void lostArgument(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    constexpr unsigned fewest = 2; // calls
+    const Word *const number = wordOf(ctx.block(), code, Role::Program);
+    if (code.action != Action::MacroCall || !number || !number->isNumber() || !event.certain)
+      return;
+    const ProgramInfo *const macro = ctx.index().find(int64_t(number->value()));
+    if (!macro)
+      return;
+    const Sisters &sisters =
+        sisters_.of({ctx.source().id(), macro->begin}, [&] { return sistersOf(*macro, ctx); });
+    if (sisters.calls < fewest)
+      return;
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+      const uint32_t bit = 1u << (letter - 'A');
+      if (!(sisters.places & ~sisters.asked & bit) ||
+          sisters.given[size_t(letter - 'A')] + 1 != sisters.calls ||
+          ctx.block().has(letterAddress(letter)))
+        continue;
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding.severity(Severity::Warning)
+            .message("this call gives no {0}, which all other calls of O{1} give: the macro "
+                     "works with it, and it is empty",
+                     std::string(1, letter), ctx.text(*number).drop_front());
+      return;
+    }
+  }
+
+  static Sisters sistersOf(const ProgramInfo &macro, const RuleContext &ctx) {
+    Sisters sisters;
+    const Callers callers = callersOf(ctx.unit(), macro);
+    if (!callers.all)
+      return sisters;
+    for (const CallPlace &call : callers.places) {
+      Block block;
+      call.unit->index.read(call.block, block);
+      if (!findCode(ctx.dialect(), block, {Action::MacroCall}) ||
+          (block.repeated & lettersMask("IJK")))
+        return {}; // called otherwise, or by a list of I, J and K
+      for (char letter = 'A'; letter <= 'Z'; ++letter)
+        sisters.given[size_t(letter - 'A')] += block.has(letterAddress(letter));
+      ++sisters.calls;
+    }
+    for (const Block &block : blocks(ctx.index().reader(), macro.body, macro.end))
+      look(block, sisters);
+    return sisters;
+  }
+
+  static void look(const Block &block, Sisters &sisters) {
+    const auto lettersOf = [&](uint16_t expression) {
+      uint32_t letters = 0;
+      if (expression < block.expressions.size()) {
+        const Expression &e = block.expressions[expression];
+        for (const ExpressionOp &op : llvm::makeArrayRef(block.operations).slice(e.first, e.count))
+          if (op.op == Op::Variable)
+            letters |= letterOf(uint64_t(op.value));
+      }
+      return letters;
+    };
+    for (const Item &item : block.items) {
+      if (item.kind == ItemKind::Assignment) {
+        sisters.asked |= letterOf(block.keyOf(item.target));
+        // Half of an empty diameter is nothing: only what is worked out is a place.
+        if (item.value < block.expressions.size() && block.expressions[item.value].count > 1)
+          sisters.places |= lettersOf(item.value);
+        else
+          sisters.asked |= lettersOf(item.value); // it goes on under another name
+      }
+      sisters.asked |= lettersOf(item.condition);
+    }
+  }
+
+  static uint32_t letterOf(uint64_t variable) {
+    for (char letter = 'A'; letter <= 'Z'; ++letter)
+      if (macroArgument(letter) && macroArgument(letter) == variable)
+        return 1u << (letter - 'A');
+    return 0;
+  }
+
+  void atCode(const Event &event, RuleContext &ctx) const {
     const CodeInfo &code = ctx.code(event);
     const Block &block = ctx.block();
     if (!asksNumbers(code, "flow-argument-mismatch"))
       sleepAtBlock();
     ctx.reportNotices("flow-argument-mismatch", event);
-    if (isMacro(code))
+    if (isMacro(code)) {
       repeated(ctx);
+      lostArgument(event, code, ctx);
+    }
     if (code.arguments)
       if (const Word *further = block.argument(code.arguments + 1u))
         if (auto finding = ctx.report(*further))

@@ -5,7 +5,9 @@
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
+#include "interp/evaluate/variable_access.h"
 
+#include <array>
 #include <map>
 
 namespace ncvet {
@@ -25,13 +27,22 @@ struct FlowConstantConditionMemory {
     bool other = false; ///< it was reached with another result too
     bool loops = false; ///< it is that of a loop, which has to begin as true
   };
+  /// A loop whose condition compares two values.
+  struct Loop {
+    SourceRange range;
+    bool mayRun = false;
+  };
+  std::map<std::pair<FileId, uint32_t>, Loop> loops;
   std::map<std::pair<FileId, uint32_t>, Choice> choices;
   std::map<std::pair<FileId, uint32_t>, Decided> decided;
 };
 
 class FlowConstantCondition final : public StatefulRule<FlowConstantConditionMemory> {
 public:
-  void listen(Subscriptions &to) override { to.onChange({EventKind::Block}); }
+  void listen(Subscriptions &to) override {
+    to.onChange({EventKind::Block});
+    onlyLoops_ = to.flag("onlyLoops");
+  }
 
   void on(const Event &, RuleContext &ctx) const override {
     const Block &block = ctx.block();
@@ -39,7 +50,10 @@ public:
       return sleepInShape();
     sleepAtBlock(); // unless it reads a variable
     for (const Item &item : block.items)
-      if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
+      if (onlyLoops_) {
+        if (isLoop(item))
+          neverRuns(item, ctx);
+      } else if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
         choice(item, ctx);
       else if (item.kind == ItemKind::Structure && item.structure == Structure::For)
         empty(item, ctx);
@@ -63,6 +77,15 @@ public:
                      set.truth ? "true" : "false", ctx.text(set.variable))
             .note(set.variable, "the value is given here");
     }
+    for (const auto &[place, loop] : memory().loops) {
+      if (place.first != file.source.id() || loop.mayRun || memory().decided.count(place))
+        continue;
+      if (auto finding = ctx.report(loop.range))
+        finding.message(
+            "this loop never runs: its condition is false each time that it is reached");
+    }
+    if (onlyLoops_)
+      return;
     for (const auto &[place, choice] : memory().choices) {
       if (place.first != file.source.id() || !choice.known ||
           (choice.ways != 1 && choice.ways != 2 && choice.ways != 4))
@@ -79,6 +102,39 @@ public:
   }
 
 private:
+  bool onlyLoops_ = false; ///< conditions of loops are all that is looked at
+
+  static bool isLoop(const Item &item) {
+    return item.kind == ItemKind::While ||
+           (item.kind == ItemKind::Structure && item.structure == Structure::While);
+  }
+
+  /// A loop that compares two values, none of which is the other: `#1 GT 6` where `#1 LT 6` was
+  /// meant, or a counter that another loop has used up. Two that are the same are a loop that is
+  /// run no times on purpose.
+  void neverRuns(const Item &item, RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    const Expression &e = block.expressions[item.condition];
+    if (e.bad || e.count != 3 || block.skip >= 0)
+      return;
+    const auto operations = llvm::makeArrayRef(block.operations).slice(e.first, e.count);
+    std::array<Value, 2> sides;
+    for (size_t i = 0; i < 2; ++i)
+      if (operations[i].op == Op::Variable)
+        sides[i] = readVariable(ctx.before(), int64_t(operations[i].value));
+      else if (operations[i].op == Op::Number)
+        sides[i] = Value::of(operations[i].value);
+      else
+        return;
+    if (operations[0].op != Op::Variable)
+      return;
+    Memory::Loop &loop = memory().loops[{ctx.source().id(), e.begin}];
+    loop.range = ctx.range(e);
+    loop.mayRun |= !sides[0].isConstant() || !sides[1].isConstant() ||
+                   sides[0].number.value() == sides[1].number.value() ||
+                   truthOf(evaluate(block, item.condition, ctx.before(), nullptr)) != Truth::No;
+  }
+
   /// Remembers where a choice by sign can go.
   void noteChoice(const Item &item, SourceRange range, RuleContext &ctx) const {
     Memory::Choice &choice = memory().choices[{ctx.source().id(), item.begin}];
@@ -253,6 +309,8 @@ private:
   void check(const Expression &condition, const Item &item, RuleContext &ctx) const {
     if (condition.bad || condition.count == 0)
       return;
+    if (isLoop(item))
+      neverRuns(item, ctx);
     const auto operations =
         llvm::makeArrayRef(ctx.block().operations).slice(condition.first, condition.count);
     if (item.kind == ItemKind::If ||

@@ -1,5 +1,5 @@
 // A rapid move in two axes at once, whose bent path crosses the part.
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turned_shape.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,7 +10,8 @@ namespace {
 class MotionRapidNotStraight final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().isLathe())
+    lathe_ = to.dialect().isLathe();
+    if (!lathe_ && to.dialect().group(StandardGroup::Diameter) == noGroup)
       return;
     to.onMoves({MotionKind::Rapid});
     depth_ = to.number("depth", 3);
@@ -26,6 +27,8 @@ public:
     if (!x.isConstant() || !z.isConstant() || !toX.isConstant() ||
         before.inMachineCoordinates(Axis::X) || before.inMachineCoordinates(Axis::Z))
       return;
+    if (outOfGroove(event, ctx) || !lathe_)
+      return;
     if (toX.value() > x.value()) {
       outOfBore(event, ctx);
     } else if (toX.value() < x.value() && toZ.isConstant()) {
@@ -37,6 +40,16 @@ public:
   }
 
 private:
+  bool outOfGroove(const Event &event, RuleContext &ctx) const {
+    if (!event.certain || ctx.before().profile != ProfileMode::Off ||
+        ctx.before().is(Fact::AwayFromPart) != Truth::No || !rapidOutOfGroove(shapes_, ctx))
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message("both axes go at rapid from the bottom of a groove: the tool goes through "
+                      "its wall before it is out");
+    return true;
+  }
+
   void outOfBore(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     if (before.may(Fact::AwayFromPart) || !(before.at(Axis::Z).value() <= -depth_))
@@ -181,6 +194,8 @@ private:
     return kind == "drill" || kind == "tap" || kind == "reamer" || kind == "boring";
   }
 
+  TurnedShapes shapes_;
+  bool lathe_ = false;
   double depth_ = 3;
 };
 

@@ -4,6 +4,7 @@
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_tool.h"
+#include "analyzer/facts/turned_shape.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/geometry/obstacle.h"
@@ -16,15 +17,16 @@ namespace {
 class MotionRapidTraverseAtDepth final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().isLathe())
-      to.onMoves({MotionKind::Rapid});
+    to.onMoves({MotionKind::Rapid});
     leaves_ = to.dialect().facts->compensation.exitByRapid;
     turns_ = to.dialect().facts->coordinates.turnsMoveAlongWork;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.inMachineCoordinates() || !event.certain || turnsWork(ctx.dialect(), ctx.after()))
+    if (event.inMachineCoordinates() || !event.certain)
       return;
+    if (ctx.dialect().isLathe() || turnsWork(ctx.dialect(), ctx.after()))
+      return alongTurned(event, ctx);
     const MachineState &before = ctx.before(), &after = ctx.after();
     constexpr Axis tool = Axis::Z; // arcs in G18 and G19 do not turn the spindle
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
@@ -61,6 +63,60 @@ public:
   }
 
 private:
+  /// The work turns: along Z out of a groove, or on along the contour with the nose compensated.
+  void alongTurned(const Event &event, RuleContext &ctx) const {
+    constexpr uint16_t z = 1u << unsigned(Axis::Z);
+    if (!(event.axes & z) || ctx.before().profile != ProfileMode::Off ||
+        ctx.before().is(Fact::AwayFromPart) != Truth::No || ctx.before().may(Fact::UnknownCode))
+      return;
+    if (isWithinTurned(ctx)) {
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Warning)
+            .message("this rapid move is inside of a compensated contour, which goes on with a cut "
+                     "after it: the tool goes along the work at full speed");
+      return;
+    }
+    if (event.axes != z || !rapidOutOfGroove(shapes_, ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("the tool goes along Z at rapid from the bottom of a groove: it was not taken "
+                   "out in X, and goes through the wall");
+  }
+
+  /// Towards the chuck at rapid after a cut, and the next cut follows without a way back.
+  static bool isWithinTurned(const RuleContext &ctx) {
+    constexpr unsigned furthest = 3; // blocks
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const auto move = turnedMove(ctx);
+    if (!move || before.compensation != phaseOn || after.compensation != phaseOn ||
+        move->toZ >= move->fromZ)
+      return false;
+    const bool outside =
+        after.activeAction(ctx.dialect(), StandardGroup::Compensation) == Action::CompensationRight;
+    double x = move->toX;
+    if (outside ? x < move->fromX : x > move->fromX)
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      const Word *const word = next.find(letterAddress('X')), *const z =
+                                                                  next.find(letterAddress('Z'));
+      if (!next.items.empty() || next.hasAny(ctx.dialect().incrementWords) ||
+          next.has(letterAddress('T')) || (word && !word->isNumber()) || (z && !z->isNumber()) ||
+          (word && (outside ? word->value() < x : word->value() > x)) ||
+          (z && z->value() > move->toZ) ||
+          findCode(ctx.dialect(), next,
+                   {Action::CompensationOff, Action::MachineMove, Action::ReferenceReturn,
+                    Action::Cycle, Action::Incremental}))
+        return false;
+      x = word ? word->value() : x;
+      if (findCode(ctx.dialect(), next, {Action::Linear, Action::ArcCw, Action::ArcCcw}))
+        return word || z;
+    }
+    return false;
+  }
+
   /// Radius compensation is on, and the next move goes on along the contour: G00 for G01.
   static bool isWithinContour(const RuleContext &ctx) {
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
@@ -124,6 +180,7 @@ private:
     });
   }
 
+  TurnedShapes shapes_;
   MeasuringTools measuring_;
   bool leaves_ = false; ///< a contour is left at rapid
   bool turns_ = false;  ///< turns of rotary axes are looked at

@@ -79,11 +79,18 @@ private:
     // A number above the limit of the spindle is no speed in revolutions either.
     const bool aboveLimit =
         state.speedLimit->isConstant() && event.speed().value() > state.speedLimit->value();
-    if (event.speed().value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1) || aboveLimit ||
-        isForAnotherSpindle(ctx))
+    const double highest = highestCuttingSpeed_ * (inch ? feetPerMetre : 1);
+    constexpr double beyondAll = 2; // times what a speed in revolutions may be mistaken for
+    if (event.speed().value() <= highest * (aboveLimit ? beyondAll : 1) || isForAnotherSpindle(ctx))
       return;
     if (auto finding = ctx.report(event)) {
       const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
+      if (aboveLimit) {
+        finding.severity(Severity::Warning)
+            .message("`{0}` counts as cutting speed under `{1}`, and no tool cuts as fast",
+                     ctx.text(*event.word), mode->name);
+        return;
+      }
       finding
           .message(
               "`{0}` counts as cutting speed under `{1}`: it looks like revolutions per minute",

@@ -1,6 +1,7 @@
 // A tool change while the tool is in the work or too low.
 #include "analyzer/facts/block_before.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/program_tools.h"
@@ -23,6 +24,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ToolChange);
     homeFirst_ = to.flag("homeFirst");
+    changesHere_ = to.flag("changesHere");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -40,7 +42,8 @@ public:
       }
     }
     // With M06 a machining centre takes the tool to its own change position.
-    const bool atOnce = ctx.dialect().isLathe() || ctx.dialect().toolChangeByT;
+    const bool atOnce = turns(ctx) || ctx.dialect().toolChangeByT ||
+                        (changesHere_ && before.must(Fact::SpindleStated));
     const int32_t is = before.tool, becomes = ctx.after().tool;
     if (is != notSet && is == becomes) // nothing turns
       return;
@@ -54,7 +57,7 @@ public:
         nearCut(event, ctx);
       return;
     }
-    if (isFedClear(ctx) || isStillHome(ctx) || (ctx.dialect().isLathe() && isForGang(ctx)))
+    if (isFedClear(ctx) || isStillHome(ctx) || (turns(ctx) && isForGang(ctx)))
       return;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding.message(
@@ -64,6 +67,12 @@ public:
 
 private:
   ProgramTools tools_;
+  bool changesHere_ = false; ///< a mill changes its tool wherever it is
+
+  /// The work turns, and the tools are those of a turret or a post.
+  static bool turns(const RuleContext &ctx) {
+    return ctx.dialect().isLathe() || turnsWork(ctx.dialect(), ctx.before());
+  }
   bool homeFirst_ = false; ///< a mill does not go to its change position by itself
 
   /// A mill's tool that is changed where it has worked, and all others go home first.
@@ -93,7 +102,7 @@ private:
     constexpr double clear = 20;      // mm before the zero point
     constexpr unsigned furthest = 10; // blocks
     const Interval &z = ctx.before().at(Axis::Z);
-    if (!ctx.dialect().isLathe() || !z.isConstant() || z.value() < clear)
+    if (!turns(ctx) || !z.isConstant() || z.value() < clear)
       return false;
     Block block;
     bool more = readPrevious(ctx, block);
@@ -126,7 +135,7 @@ private:
 
   /// On a lathe a drilling cycle ends at its R, before the face: nothing has moved since then.
   static void afterHole(const Event &event, RuleContext &ctx) {
-    if (!ctx.dialect().isLathe() || ctx.before().may(Fact::AtMachinePosition) ||
+    if (!turns(ctx) || ctx.before().may(Fact::AtMachinePosition) ||
         ctx.dialect().group(StandardGroup::ReturnLevel) != noGroup)
       return; // (another control may withdraw to where the cycle began)
     BlocksBefore before(ctx);
@@ -190,7 +199,7 @@ private:
     constexpr double nearZ = 20; // mm before the zero point
     const Interval &z = ctx.before().at(Axis::Z);
     const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
-    const Block block = ctx.dialect().isLathe() ? lastCycle(ctx) : Block();
+    const Block block = turns(ctx) ? lastCycle(ctx) : Block();
     const CodeInfo *const cycle = turningCycle(ctx.dialect(), block);
     if (!cycle || !z.isConstant() || z.value() > nearZ ||
         ctx.before().inMachineCoordinates(Axis::Z) ||
@@ -210,12 +219,12 @@ private:
 
   /// On a lathe the tool was lifted off the cut in X by a little, and has not moved since then.
   static bool afterCut(const Event &event, RuleContext &ctx) {
-    constexpr double little = 10; // mm of the diameter
+    constexpr double little = 10, within = 25; // mm of the diameter; before the face, and past it
     const Dialect &dialect = ctx.dialect();
     const MachineState &before = ctx.before();
     const Interval &x = before.at(Axis::X);
     const auto unit = millimetresPer(dialect, before);
-    if (!dialect.isLathe() || before.may(Fact::AtMachinePosition) || !x.isConstant() ||
+    if (!turns(ctx) || before.may(Fact::AtMachinePosition) || !x.isConstant() ||
         before.inMachineCoordinates(Axis::X) || !unit)
       return false;
     BlocksBefore way(ctx);
@@ -243,8 +252,11 @@ private:
       }
       feeds |= straight;
     }
-    const double off = cut ? std::fabs(x.value() - *cut) : little + 1;
-    if (!feeds || off > little)
+    const Interval &z = before.at(Axis::Z);
+    const bool past = z.isConstant() && z.value() < 0 && !before.inMachineCoordinates(Axis::Z);
+    const double most = past ? within : little;
+    const double off = cut ? std::fabs(x.value() * diameterFactor(dialect) - *cut) : most + 1;
+    if (!feeds || off > most)
       return false;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding
@@ -283,13 +295,14 @@ private:
     const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
     if (units != noGroup && !before.isStated(units))
       return; // what is 5 mm in one unit is 5 inches in the other
-    if (!ctx.dialect().isLathe() || !x.isConstant() || !z.isConstant() || !unit ||
+    if (!turns(ctx) || !x.isConstant() || !z.isConstant() || !unit ||
         before.inMachineCoordinates(Axis::X) || before.inMachineCoordinates(Axis::Z) ||
         before.may(Fact::AtMachinePosition))
       return;
     SourceRange last;
     const Place cut = lastCut(ctx, last);
-    if (!cut.x || !cut.z || last.empty() || std::fabs(x.value() - *cut.x * *unit) > nearX ||
+    if (!cut.x || !cut.z || last.empty() ||
+        std::fabs(x.value() * diameterFactor(ctx.dialect()) - *cut.x * *unit) > nearX ||
         cut.besideZ(z.value(), *unit) > nearZ || isForGang(ctx))
       return;
     if (auto finding = ctx.report(event, false))

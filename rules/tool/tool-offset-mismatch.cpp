@@ -22,6 +22,7 @@ public:
   void listen(Subscriptions &to) override {
     onlyOtherTools_ = to.flag("onlyOtherTools");
     ownStep_ = int64_t(to.number("ownStep", 0));
+    radiusOfTool_ = to.flag("radiusOfTool");
     if (to.dialect().isLathe())
       to.on(EventKind::ToolWord);
     else
@@ -49,8 +50,7 @@ public:
       return station(event, ctx);
     if (ctx.before().switches.areOn(ctx.dialect().dataSwitches)) // what is in the block are data
       return;
-    // A tool's own edges are numbered from 1; an H still names a tool of the table.
-    if (ctx.dialect().offsetsOfTool && word.address != letterAddress('H'))
+    if (ctx.dialect().offsetsOfTool && word.address != letterAddress('H') && isOfEdge(event, ctx))
       return;
     // An offset that is added is another one by its nature.
     if (ctx.find({Action::LengthAdd}))
@@ -136,6 +136,18 @@ private:
         finding.fix(FixSafety::Unsafe, "use the tool's own offset",
                     ctx.replace(ctx.range(word), formatted("T{0:d2}{0:d2}", tool)));
     }
+  }
+
+  bool radiusOfTool_ = false; ///< a D names a tool of the table, as an H does
+
+  /// A tool's own edges are numbered from 1. Where a D names a tool of the table, as an H does,
+  /// that of a compensation counts when it is the number of a tool of the file.
+  bool isOfEdge(const Event &event, const RuleContext &ctx) const {
+    return !radiusOfTool_ || !event.offset().isConstant() ||
+           !isTool(int64_t(event.offset().value()), ctx) ||
+           llvm::none_of(ctx.codes(), [&](const CodeUse &use) {
+             return addressesOf(ctx.code(use), Role::Offset) & maskOf(event.word->address);
+           });
   }
 
   /// `G41 X5.` without a D: the number that is in force was given for the tool before.

@@ -19,6 +19,8 @@ public:
     const CodeInfo &cycle = ctx.code(event);
     const auto ways = profileWays(ctx);
     const Profile &profile = ways.front().profile; // with all that may run
+    if (cycle.cycle == CycleKind::RoughTurn)
+      rapidInside(event, cycle, profile, ctx);
     std::vector<Wrong> wrongs;
     for (const ProfileBlock &entry : profile.blocks)
       for (const CodeUse &use : entry.codes)
@@ -51,6 +53,37 @@ public:
   }
 
 private:
+  /// G00 for G01 after the first cut of a profile: on towards the chuck at rapid, or between two
+  /// elements that are cut. Away from its end a tool may be led at rapid.
+  static void rapidInside(const Event &event, const CodeInfo &cycle, const Profile &profile,
+                          RuleContext &ctx) {
+    if (!profile.known || !event.certain)
+      return;
+    const ProfileBlock *rapid = nullptr;
+    bool begun = false, inside = false;
+    for (const ProfileBlock &entry : profile.blocks) {
+      if (entry.block.has(letterAddress('T')) || entry.block.skip >= 0)
+        return;
+      if (!entry.moves || !entry.motionKnown)
+        continue;
+      const bool cuts = isFeed(entry.motion);
+      if (begun && !rapid && entry.motion == MotionKind::Rapid) {
+        rapid = &entry;
+        inside = entry.toZ.hi < entry.fromZ.lo && entry.fromX == entry.toX;
+      }
+      inside |= rapid && cuts;
+      begun |= cuts;
+    }
+    if (!inside)
+      return;
+    if (auto finding = ctx.report(rapid->range))
+      finding.severity(Severity::Warning)
+          .message("the profile of `{0}` goes on at rapid here: finishing leads along the work at "
+                   "full speed",
+                   cycle.name)
+          .note(ctx.blockRange(), "the cycle that works along this profile");
+  }
+
   /// A code that the profile may not have.
   struct Wrong {
     const ProfileBlock &entry;

@@ -29,6 +29,9 @@ public:
     case CycleKind::PatternRepeat:
       rough(event, code, ctx);
       break;
+    case CycleKind::Finish:
+      finish(event, code, ctx);
+      break;
     case CycleKind::TurnPass:
     case CycleKind::FacePass:
       if (!leadsAway(event, code, ctx) && passes_)
@@ -44,6 +47,36 @@ public:
   }
 
 private:
+  /// A finishing cycle goes at rapid to the diameter of its first block, past the face that its
+  /// second one begins at.
+  static void finish(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    constexpr double clearly = 0.5; // mm
+    constexpr auto x = uint16_t(1u << unsigned(Axis::X));
+    const Interval &startX = ctx.after().at(Axis::X), &startZ = ctx.after().at(Axis::Z);
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    if (ctx.outcome().flow.kind != FlowKind::Profile || !startX.isConstant() ||
+        !startZ.isConstant() || !unit || ctx.after().inMachineCoordinates(Axis::Z))
+      return;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known || !profile.maxZ || !profile.minZ || profile.blocks.size() < 3)
+      return;
+    const ProfileBlock &head = profile.blocks.front(), &tail = profile.blocks[profile.lastCut - 1];
+    const auto second = llvm::find_if(llvm::drop_begin(profile.blocks),
+                                      [](const ProfileBlock &entry) { return entry.moves; });
+    if (!head.moves || head.motion != MotionKind::Rapid || head.axes != x ||
+        second == profile.blocks.end() || !second->toZ.isConstant() || !tail.toZ.isConstant() ||
+        !head.toX.isConstant() || head.toX.value() >= startX.value() ||
+        second->toZ.value() < startZ.value() + clearly || tail.toZ.value() >= startZ.value())
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("`{0}` starts at Z{1}, past the face Z{2} of its contour: its first block "
+                   "leads through the work at rapid",
+                   code.name, shortNumber(startZ.value() / *unit),
+                   shortNumber(second->toZ.value() / *unit))
+          .note(head.range, "the profile begins here");
+  }
+
   void rough(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     if (ctx.outcome().flow.kind != FlowKind::Profile)
       return;

@@ -30,6 +30,8 @@ public:
       multi(event, code, ctx);
     else if (code.cycle == CycleKind::ThreadPass)
       pass(event, code, ctx);
+    else if (code.cycle == CycleKind::ThreadInfeed)
+      unlikeLead(event, code, ctx);
     else
       sleepInShape();
   }
@@ -69,9 +71,9 @@ private:
   static bool unlikeLead(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     constexpr double deepest = 1.3, least = 0.07;
     const Word *const heightWord = wordOf(ctx.block(), code, Role::Height);
-    const Word *const lead = ctx.block().find(letterAddress('F'));
+    const Word *const lead = wordOf(ctx.block(), code, Role::Lead);
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
-    if (!heightWord || !lead || !(addressesOf(code, Role::Lead) & maskOf(lead->address)) || !unit)
+    if (!heightWord || !lead || lead->address == letterAddress('E') || !unit)
       return false;
     const ExecutedBlock executed = executedBlock(ctx);
     const auto height = CycleParameters(executed, code).length(Measure::Height, Role::Height);
@@ -80,7 +82,10 @@ private:
         pitch.value() <= 0)
       return false;
     const double ratio = height->value() / (pitch.value() * *unit);
-    if (ratio < deepest && ratio > least)
+    // Where the table does not say that the depth counts on the radius it may be that of both
+    // sides.
+    const double most = code.cycle == CycleKind::ThreadInfeed ? 2 * deepest : deepest;
+    if (ratio < most && ratio > least)
       return false;
     if (auto finding = ctx.report(*heightWord, event.certain))
       finding.severity(Severity::Warning)

@@ -1,6 +1,7 @@
 // A thread starts too near in diameter or in run-in length.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/thread_passes.h"
+#include "analyzer/facts/turned_shape.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -25,18 +26,21 @@ public:
       return;
     const CodeInfo &code = ctx.code(event);
     const bool cycle = event.kind == EventKind::CycleRun;
-    if (cycle ? !cutsThread(code.cycle) : event.motion != MotionKind::Thread)
+    const bool byInfeed = cycle && code.cycle == CycleKind::ThreadInfeed;
+    if (cycle ? !cutsThread(code.cycle) && !byInfeed : event.motion != MotionKind::Thread)
       return sleepInShape();
     const Word *word = ctx.codeWord(event);
     if (!word)
       return;
     if (cycle && code.cycle == CycleKind::ThreadMulti)
       diameter(event, code, *word, ctx);
-    else if (cycle)
+    else if (cycle && !byInfeed)
       passes(event, code, *word, ctx);
     runIn(event, code, *word, ctx);
     if (cycle)
       runsAway(event, code, *word, ctx);
+    if (cycle && code.cycle == CycleKind::ThreadMulti)
+      insideWork(event, code, *word, ctx);
   }
 
 private:
@@ -119,6 +123,32 @@ private:
                    code.name, shortNumber(start.value() / unitOf(ctx)),
                    shortNumber(*end / unitOf(ctx)));
   }
+
+  /// The tool goes down to its passes where the program leaves more than the thread's root: the
+  /// start lies past the face. Threads that begin in a groove are cut from there.
+  void insideWork(const Event &event, const CodeInfo &code, const Word &word,
+                  RuleContext &ctx) const {
+    constexpr double deep = 0.3, groove = 5, beyond = 1; // mm
+    const auto move = turnedMove(ctx);
+    const auto end = endOf(ctx, Axis::X, ctx.before().at(Axis::X));
+    const auto endZ = endOf(ctx, Axis::Z, ctx.before().at(Axis::Z));
+    if (!event.certain || !move || !end || !endZ || *endZ >= move->fromZ * move->unit)
+      return;
+    const double root = *end / move->unit;
+    const TurnedShape &shape = shapes_.of(ctx);
+    const uint32_t here = ctx.block().begin;
+    const auto left = shape.diameter({here, move->fromZ});
+    const auto before = shape.diameter({here, move->fromZ + beyond / move->unit});
+    if (!left || !before || *left < root + deep / move->unit || *before != *left ||
+        move->fromX < *left || shape.isOpened({here, move->fromZ}, root, groove / move->unit))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` starts at Z{1}, where the program leaves a diameter of {2}: the passes "
+                   "begin in the middle of it",
+                   code.name, shortNumber(move->fromZ), shortNumber(*left));
+  }
+  TurnedShapes shapes_;
 
   static double unitOf(const RuleContext &ctx) {
     return millimetresPer(ctx.dialect(), ctx.before()).value_or(1);

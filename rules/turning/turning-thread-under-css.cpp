@@ -18,9 +18,9 @@ public:
     const CodeInfo &code = ctx.code(event);
     const MachineState &state = ctx.after();
     const bool cycle = event.kind == EventKind::CycleRun;
-    const bool thread =
-        cycle ? cutsThread(code.cycle) || code.cycle == CycleKind::ThreadChain || taps(code.cycle)
-              : event.motion == MotionKind::Thread;
+    const bool thread = cycle ? cutsThread(code.cycle) || code.cycle == CycleKind::ThreadChain ||
+                                    code.cycle == CycleKind::ThreadInfeed || taps(code.cycle)
+                              : event.motion == MotionKind::Thread;
     if (!thread && !mayDrill(event, code, ctx))
       return sleepInShape();
     if (!thread && !isOnAxis(state))

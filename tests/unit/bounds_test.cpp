@@ -125,6 +125,29 @@ TEST(Bounds, AProgramOfManyRoughedContoursIsFollowedToItsEnd) {
         << dialect;
 }
 
+TEST(Bounds, AProgramOfManyGroovesIsFollowedToItsEnd) {
+  constexpr unsigned many = 20'000;
+  const std::string turned = "G00 X44. Z3.\nX36.\nG01 Z-30. F0.2\nX44.\n";
+  const std::string groove = "G00 X40. Z-15.\nG01 X30. F0.06\nG00 X40.\nX150. Z120.\n";
+  const auto text = [&](const std::string &grooves) {
+    return "O2102 (COLLAR)\nG21 G40 G97 G99\nT0202\nS500 M03\n" + turned + grooves + "M30\n";
+  };
+  EXPECT_LT(secondsToCheck("fanuc-lathe", text(repeat(groove, many))), generous);
+  EXPECT_LT(secondsToCheck("fanuc-lathe", text(repeat(turned + groove + "M00\n", many))), generous);
+}
+
+TEST(Bounds, AFileOfManyMacrosIsFollowedToItsEnd) {
+  constexpr unsigned many = 2'000;
+  std::string calls, macros;
+  for (unsigned i = 1; i <= many; ++i) {
+    const std::string number = std::to_string(1000 + i);
+    calls += "G65 P" + number + " X1. Z-2.\nG65 P" + number + " X1.\n";
+    macros += "O" + number + "\nG00 X#24\nG01 Z#26 F100.\nM99\n";
+  }
+  EXPECT_LT(secondsToCheck("fanuc-mill", "O0001 (MANY)\nG21 G90 G94\n" + calls + "M30\n" + macros),
+            generous);
+}
+
 TEST(Bounds, AProgramOfManyDefinitionsIsFollowedToItsEnd) {
   constexpr unsigned variables = 3'000;
   std::string defined;
