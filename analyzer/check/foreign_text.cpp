@@ -42,6 +42,7 @@ bool isUnreadable(const Finding &finding) {
 /// The lines of one file with findings that are no advice.
 struct WrongLines {
   std::set<uint32_t> all, ofLanguage, ofCodes, unreadable;
+  std::set<uint32_t> unread;          ///< `unreadable`, and those of comments that nobody can read
   const Finding *first = nullptr;     ///< the first that cannot be read, else the first
   const Finding *firstCode = nullptr; ///< that is another control's
   const Finding *firstOfLanguage = nullptr;
@@ -66,6 +67,8 @@ private:
     const bool isSyntax = isUnreadable(finding);
     if (isSyntax)
       unreadable.insert(line);
+    if (isSyntax || idOf(finding) == "syntax-unclosed-comment")
+      unread.insert(line);
     if (!first || (isSyntax && unreadable.size() == 1 && !firstIsSyntax_)) {
       first = &finding;
       firstIsSyntax_ = isSyntax;
@@ -168,8 +171,8 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
     fold = foldInto(origin.otherControl(), wrong, origin.blocks);
   const uint64_t part = origin.detected ? unreadablePart : unreadablePartOfNamed;
   const uint64_t fewest = origin.detected ? fewestUnreadable : fewestUnreadableOfNamed;
-  if (!fold && wrong.unreadable.size() >= fewest && wrong.unreadable.size() * part >= origin.blocks)
-    fold = Fold{{}, wrong.unreadable.size(), true};
+  if (!fold && wrong.unread.size() >= fewest && wrong.unread.size() * part >= origin.blocks)
+    fold = Fold{{}, wrong.unread.size(), true};
   if (!fold)
     return;
   const bool byCode = fold->other.hasTable && wrong.firstCode;

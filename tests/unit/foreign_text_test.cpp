@@ -31,6 +31,17 @@ TEST(ForeignText, ProseIsToldOnceWhereNobodyNamedItsControl) {
       << findings[0].finding.message;
 }
 
+/// The lines of a comment that goes over several are no blocks, nor are its brackets.
+TEST(ForeignText, CommentsOverManyLinesAreToldOnceToo) {
+  std::string text = "O9037\n";
+  for (int i = 0; i < 10; ++i)
+    text += "(\nwhat this does\n)\nG00 X1.\n";
+  const auto findings = check("fanuc-mill", text + "M99\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_NE(std::string::npos, findings[0].finding.message.find("no program of this control"))
+      << findings[0].finding.message;
+}
+
 TEST(ForeignText, ProseIsToldOnceWhereTheControlIsNamedToo) {
   EXPECT_EQ(1u, check("fanuc-0m", proseOfTwentyLines()).size());
 }
