@@ -1,6 +1,7 @@
 // Blocks of a region that are spelled as one before them: what they do is done again with their
 // numbers, where the modes are the same. It is what the general way in region_run.cpp does.
 #include "analyzer/flow/region_run.h"
+#include "interp/evaluate/variable_access.h"
 #include "interp/execute/make_known_move.h"
 #include "interp/state/copy_motion.h"
 #include "interp/state/modes_number.h"

@@ -2,6 +2,7 @@
 // the control says what is in force.
 #include "interp/evaluate/variable_access.h"
 
+#include "formats/dialect/variable_key.h"
 #include "interp/state/zero_point.h"
 #include "interp/value/units.h"
 

@@ -4,6 +4,7 @@
 #include "interp/value/shared_list.h"
 #include "interp/value/value.h"
 
+#include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/SmallVector.h"
 

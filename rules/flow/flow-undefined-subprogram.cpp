@@ -1,5 +1,6 @@
 // A called program, or a locally called block, exists nowhere.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/references.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/text_answers.h"

@@ -1,5 +1,6 @@
 // An offset number that is not the tool's own.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
