@@ -24,7 +24,7 @@ const Variables::Entry *Variables::find(uint64_t number) const {
   if (entries.empty())
     return nullptr;
   // Most often the numbers of those before it have no gaps.
-  const uint64_t guess = number - entries.front().number;
+  const auto guess = size_t(number - entries.front().number);
   if (guess < entries.size() && entries[guess].number == number)
     return &entries[guess];
   const auto *const at = std::lower_bound(entries.begin(), entries.end(), number, before);
