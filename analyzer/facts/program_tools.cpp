@@ -24,7 +24,8 @@ public:
       tool.follows = std::exchange(cut_, false);
       tool.home = std::exchange(home_, false);
     }
-    if (has(codes, {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle})) {
+    if (has(codes, {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle}) &&
+        !movesOthers(block)) {
       cut_ = true;
       home_ = has(codes, {Action::ReferenceReturn, Action::MachineMove});
     }
@@ -45,6 +46,14 @@ private:
     return llvm::any_of(codes, [&](CodeIndex code) {
       return llvm::is_contained(actions, dialect_.codes[code].action);
     });
+  }
+
+  /// On a lathe: another spindle, or a rotary axis, and not the tool.
+  bool movesOthers(const Block &block) const {
+    constexpr uint16_t ofTool =
+        1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y) | 1u << unsigned(Axis::Z);
+    const uint16_t axes = axesOf(dialect_, block);
+    return dialect_.isLathe() && axes && !(axes & ofTool);
   }
 
   bool changesTool(const Block &block, Codes codes) const {

@@ -1,6 +1,7 @@
 // Reads back from a rapid move: the retract, the cut and the approach.
 #include "analyzer/facts/turned_pass.h"
 
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
@@ -87,8 +88,9 @@ std::optional<CrossedPass> crossedPass(const Event &event, const RuleContext &ct
 
 bool isTurning(const RuleContext &ctx) {
   const MachineState &after = ctx.after();
-  return after.activeAction(ctx.dialect(), StandardGroup::Plane) == Action::PlaneZX &&
-         after.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedPerMinute;
+  return turnsWork(ctx.dialect(), after) ||
+         (after.activeAction(ctx.dialect(), StandardGroup::Plane) == Action::PlaneZX &&
+          after.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedPerMinute);
 }
 
 } // namespace ncvet

@@ -1,6 +1,7 @@
 // The outside of the work as the straight cuts of a program's text turn it.
 #include "analyzer/facts/turned_shape.h"
 
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/program/block_reading.h"
 
@@ -266,6 +267,37 @@ std::optional<double> rapidIntoTurned(const TurnedShapes &shapes, const RuleCont
   // At an end of the work the tool may be beside it.
   if (!left || !next || !shape.isTurned({at.block, at.z - beside / move->unit}) ||
       move->fromX < *left || move->toX > std::min(*left, *next) - deep / move->unit ||
+      shape.isOpened(at, move->toX + deep / move->unit, near / move->unit))
+    return std::nullopt;
+  return left;
+}
+
+/// At rapid along Z alone, out of the work again.
+static bool leadsBack(const Dialect &dialect, const Block &block, double from) {
+  const Word *const z = block.find(letterAddress('Z'));
+  return block.items.empty() && findCode(dialect, block, {Action::Rapid}) && z && z->isNumber() &&
+         !z->has(wordIncremental) && z->value() > from &&
+         axesOf(dialect, block) == 1u << unsigned(Axis::Z);
+}
+
+std::optional<double> rapidPassInTurned(const TurnedShapes &shapes, const RuleContext &ctx) {
+  constexpr double beside = 0.05, deep = 0.5, near = 8; // mm
+  const auto move = turnedMove(ctx);
+  BlocksAhead ahead(ctx);
+  Block next;
+  if (!move || move->toX != move->fromX || !ahead.next(next) || !next.items.empty())
+    return std::nullopt;
+  Block home;
+  if (!ahead.next(home) || !leadsBack(ctx.dialect(), home, move->toZ))
+    return std::nullopt; // through a bore it goes back where it came
+  const Word *const out = next.find(letterAddress('X'));
+  const TurnedShape &shape = shapes.of(ctx);
+  const double back = (move->fromZ > move->toZ ? beside : -beside) / move->unit;
+  const TurnedShape::At at{ctx.block().begin, move->toZ + back};
+  const auto left = shape.diameter(at);
+  if (!left || !out || !out->isNumber() || out->has(wordIncremental) ||
+      out->value() < *left + deep / move->unit || next.has(letterAddress('Z')) ||
+      move->toX > *left - deep / move->unit || shape.isTurned({at.block, move->fromZ}) ||
       shape.isOpened(at, move->toX + deep / move->unit, near / move->unit))
     return std::nullopt;
   return left;

@@ -62,6 +62,10 @@ std::optional<TurnedMove> turnedMove(const RuleContext &ctx);
 /// At rapid from outside of the work to below a diameter that is left there in the end.
 std::optional<double> rapidIntoTurned(const TurnedShapes &shapes, const RuleContext &ctx);
 
+/// At rapid along Z from outside of the work, and then outwards: a pass below a diameter that is
+/// left there in the end.
+std::optional<double> rapidPassInTurned(const TurnedShapes &shapes, const RuleContext &ctx);
+
 /// At rapid along Z, or along both axes, from the bottom of a groove into its wall.
 bool rapidOutOfGroove(const TurnedShapes &shapes, const RuleContext &ctx);
 

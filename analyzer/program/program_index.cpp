@@ -50,18 +50,19 @@ bool isDataFile(const SourceFile &source, const Dialect &dialect) {
 /// What comes before the first header is looked at so far, in bytes: a fragment shows soon.
 constexpr uint32_t longestLeader = 65536;
 
-/// The text before the first mark of the tape is comments alone: the sender's, for people.
-bool isLeaderComment(llvm::StringRef text) {
+/// The text before the first mark of the tape is for people: comments, and lines without any digit,
+/// of which none can be a block.
+bool isLeaderText(llvm::StringRef text) {
   llvm::SmallVector<llvm::StringRef, 8> lines;
   text.take_front(longestLeader).split(lines, '\n', /*MaxSplit=*/-1, /*KeepEmpty=*/false);
-  bool comments = false;
+  bool says = false;
   for (llvm::StringRef line : lines) {
     line = line.trim();
-    if (!line.empty() && !line.startswith("("))
+    if (!line.empty() && !line.startswith("(") && llvm::any_of(line, llvm::isDigit))
       return false;
-    comments |= !line.empty();
+    says |= !line.empty();
   }
-  return comments;
+  return says;
 }
 
 bool isHeaderMark(char c, const Dialect &dialect) {
@@ -147,7 +148,7 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
     if (isDataFile(source, dialect))
       programs_[0].begin = programs_[0].body = uint32_t(text.size());
     else if (dialect.lexical.tapeLeader && !tapeMarks_.empty() &&
-             isLeaderComment(text.take_front(tapeMarks_.front())))
+             isLeaderText(text.take_front(tapeMarks_.front())))
       programs_[0].begin = programs_[0].body = tapeMarks_.front();
   }
   for (ProgramInfo &program : programs_) {

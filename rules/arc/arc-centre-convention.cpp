@@ -1,4 +1,5 @@
 // An arc that closes only when its centre words are read another way than the control reads them.
+#include "analyzer/facts/diameter_arc.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
@@ -61,6 +62,9 @@ public:
     // The centre's coordinates given for its distance.
     if (!words.centre[0] || !words.centre[1] || !fits(arc, given))
       return;
+    if (const auto halved = distancesAsDiameter(words, arc, ctx);
+        halved && std::fabs(halved->first - halved->second) <= tolerance_)
+      return; // arc-radius-mismatch speaks
     // A program that is written so is written so throughout: one report is enough.
     if (!memory().once.speaks(Origin(), ctx))
       return;

@@ -1,4 +1,5 @@
 // An arc whose end is not as far from its centre as its start.
+#include "analyzer/facts/diameter_arc.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -35,6 +36,10 @@ public:
     // A centre on the start point is no circle at all: another rule says so.
     if (atStart == 0 || accepted(atStart, atEnd, ctx))
       return;
+    const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
+    if (const auto halved = distancesAsDiameter(words, arc, ctx);
+        halved && halved->first > tolerance_ && accepted(halved->first, halved->second, ctx))
+      return asDiameter(event, certain, ctx);
     // The centre itself given for its distance: the rule of the centre convention says so.
     if (words.centre[0] && words.centre[1] && arc.centreWords) {
       const auto &given = *arc.centreWords;
@@ -43,7 +48,6 @@ public:
       if (radius > tolerance_ && std::fabs(radius - other) <= tolerance_)
         return;
     }
-    const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     if (auto finding = ctx.report(ctx.blockRange(), certain))
       finding.message("the end of `{0}` does not lie on its circle: the start is {1} from the "
                       "centre, the end {2}",
@@ -51,6 +55,19 @@ public:
   }
 
 private:
+  /// The whole text may be meant so, or this arc alone.
+  static void asDiameter(const Event &event, bool certain, RuleContext &ctx) {
+    const auto &codes = ctx.dialect().codes;
+    const auto on = llvm::find_if(
+        codes, [](const CodeInfo &code) { return code.action == Action::DiameterOn; });
+    if (on == codes.end())
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), certain))
+      finding.message("`{0}` closes with X as a diameter, and `{1}` is not in force: the control "
+                      "reads a radius",
+                      ctx.code(event).name, on->name);
+  }
+
   /// Whether the control takes the arc as a circle: the two distances, in mm, are near enough.
   bool accepted(double atStart, double atEnd, const RuleContext &ctx) const {
     // A part of the radius may be accepted beyond the tolerance, but never a gross step.

@@ -1,5 +1,6 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
 #include "analyzer/facts/codes_in_force.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -107,7 +108,7 @@ private:
     if (state.compensation != phaseOn || state.profile == ProfileMode::Recorded ||
         outlivesTool(state) || state.idleBlocks != allowed + 1 ||
         ctx.before().idleBlocks != allowed || ctx.outcome().flow.kind == FlowKind::End ||
-        !contourGoesOn(ctx))
+        turns(ctx) || !contourGoesOn(ctx))
       return;
     if (approached) {
       if (auto finding = ctx.report(ctx.blockRange()))
@@ -128,6 +129,17 @@ private:
                    allowed_ + 1, name(ctx))
           .severity(severity_)
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
+  }
+
+  /// The block, or the one before it, turns a rotary axis: under a transformation that is the
+  /// second axis of the plane.
+  static bool turns(const RuleContext &ctx) {
+    constexpr uint16_t rotary =
+        1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C);
+    Block before;
+    return ctx.dialect().isLathe() &&
+           ((axesOf(ctx.dialect(), ctx.block()) & rotary) ||
+            (readPrevious(ctx, before) && (axesOf(ctx.dialect(), before) & rotary)));
   }
 
   /// Looks ahead as the control does: only a compensated move after the idle blocks is harmed.

@@ -188,8 +188,12 @@ private:
     if (memory().said == origin && memory().said.known())
       return;
     const llvm::StringRef where = placeOf(event, cycle, origin, ctx);
-    if (where.empty() || (onlyWhereRun_ && event.kind == EventKind::ToolChange && isPass(cycle) &&
-                          nextMoveHasCode(ctx)))
+    // One that was given no place has cut nothing, and its next move is what the program means.
+    const bool placed = llvm::any_of(llvm::StringRef("XZUW"),
+                                     [&](char letter) { return before.cycle.has(letter); });
+    const bool runs = !onlyWhereRun_ && placed;
+    if (where.empty() ||
+        (!runs && event.kind == EventKind::ToolChange && isPass(cycle) && nextMoveHasCode(ctx)))
       return;
     if (event.kind == EventKind::Code && endsSeries(ctx.code(event), dialect))
       memory().said = origin;
@@ -334,11 +338,18 @@ private:
   }
 
   static const CodeInfo *activeCycle(const MachineState &state, const Dialect &dialect) {
-    for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion})
-      for (const CodeInfo *code : state.candidates(dialect, which))
-        if (code->action == Action::Cycle)
-          return code;
-    return nullptr;
+    const CodeInfo *found = nullptr;
+    for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion}) {
+      const auto codes = state.candidates(dialect, which);
+      const auto cycle =
+          llvm::find_if(codes, [](const CodeInfo *code) { return code->action == Action::Cycle; });
+      if (cycle == codes.end())
+        continue;
+      if (codes.size() == 1) // the one that is certainly on
+        return *cycle;
+      found = found ? found : *cycle;
+    }
+    return found;
   }
 
   /// A rapid move away, along the tool too, is a place of a measuring cycle that has measured. The

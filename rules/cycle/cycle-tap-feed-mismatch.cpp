@@ -30,19 +30,15 @@ public:
     leastPitch_ = to.number("leastPitch", 0.05);
     greatestPitch_ = to.number("greatestPitch", 12);
     leads_ = to.flag("leads");
-    to.onCode([](const CodeInfo &code) { return isRigidTapping(code); });
+    to.onCode([](const CodeInfo &code) { return isRigidTapping(code) || comesBack(code); });
     parts_ = drillParts(to.dialect(), to.machine());
     if (!parts_.empty())
       to.onCode([](const CodeInfo &code) { return makesHole(code.cycle) && code.arguments; });
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::Code) {
-      ctx.reportNotices(id, event);
-      if (isRigidTapping(ctx.code(event)))
-        return wayBack(event, ctx);
-      return ofPart(event, ctx);
-    }
+    if (event.kind == EventKind::Code)
+      return atCode(event, ctx);
     // A cycle that takes speed and lead among its own words does without F.
     if (event.code == noCode || !taps(ctx.code(event).cycle) || !ctx.code(event).needsFeed)
       return sleepInShape();
@@ -100,9 +96,38 @@ public:
 private:
   static constexpr llvm::StringLiteral id{"cycle-tap-feed-mismatch"};
 
+  void atCode(const Event &event, RuleContext &ctx) const {
+    ctx.reportNotices(id, event);
+    if (isRigidTapping(ctx.code(event)))
+      return wayBack(event, ctx);
+    if (comesBack(ctx.code(event)))
+      return ofLead(event, ctx);
+    return ofPart(event, ctx);
+  }
+
   /// In and out are codes of their own, and each has the lead.
   static bool isRigidTapping(const CodeInfo &code) {
     return code.action == Action::Thread && code.leavesNoSpeed;
+  }
+
+  /// `G33.1`: one code for the way in and out, with the lead.
+  static bool comesBack(const CodeInfo &code) {
+    return code.action == Action::Thread && code.returns;
+  }
+
+  void ofLead(const Event &event, RuleContext &ctx) const {
+    const Word *const word = wordOf(ctx.block(), ctx.code(event), Role::Lead);
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    if (!leads_ || !word || !unit || unitsOpen(ctx))
+      return;
+    const Interval lead = ctx.value(*word);
+    const auto named = lead.isConstant() ? leadOfComment(ctx) : std::nullopt;
+    if (!named || std::fabs(lead.value() * *unit - *named) <= 0.02 * *named)
+      return;
+    if (auto finding = ctx.report(*word, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` of `{1}` taps another pitch than that of the tap, which has {2}",
+                   ctx.text(*word), ctx.code(event).name, text(*named / *unit));
   }
 
   /// Out of the hole with another lead than into it.

@@ -11,6 +11,7 @@ namespace {
 struct FeedMissingMemory {
   OncePerCause once;
   OncePerCause onceOfMode;
+  bool unread = false; ///< a block that cannot be read may have given the feed
 };
 
 class FeedMissing final : public StatefulRule<FeedMissingMemory> {
@@ -24,7 +25,9 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (inverseEach_ && lacksItsTime(event, ctx))
       return;
-    const bool isSet = ctx.after().must(Fact::FeedSet);
+    const bool isSet = ctx.after().must(Fact::FeedSet) || memory().unread;
+    if (!isSet && !ctx.block().issues.empty() && mayNameFeed(ctx))
+      memory().unread = true;
     if (event.code == noCode || (isSet && !turns_) ||
         ctx.block().hasAny(ctx.dialect().blockFeedWords) || // a feed of its own block
         ctx.before().must(Fact::InContour) ||               // it has feeds of its own
@@ -68,6 +71,16 @@ public:
   }
 
 private:
+  /// A part of the block that is no word holds an F and its value.
+  static bool mayNameFeed(const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().issues, [&](const SyntaxIssue &issue) {
+      const llvm::StringRef text = ctx.text(ctx.range(issue));
+      const size_t at = text.find_last_of("Ff");
+      return at != llvm::StringRef::npos && at + 1 < text.size() &&
+             (llvm::isDigit(text[at + 1]) || text[at + 1] == '.' || text[at + 1] == '#');
+    });
+  }
+
   /// Increments of 0 that only name the axes: `G01 G18 W0 H0`.
   static bool isNoWay(const Event &event, const RuleContext &ctx) {
     if (event.kind != EventKind::Motion || !ctx.block().hasAny(ctx.dialect().axisWords))

@@ -9,6 +9,7 @@
 #include "interp/value/macro_argument.h"
 
 #include <array>
+#include <map>
 
 namespace ncvet {
 namespace {
@@ -32,6 +33,7 @@ public:
     case EventKind::Statement:
       sleepAtBlock();
       wordsBeside(ctx.block().items[event.item()], ctx);
+      fewerThanOthers(ctx.block().items[event.item()], ctx);
       return atDefinition(ctx.block().items[event.item()], ctx);
     case EventKind::Syntax: {
       const SyntaxIssue &issue = ctx.block().issues[event.issue()];
@@ -173,6 +175,82 @@ private:
       }
       sisters.asked |= lettersOf(item.condition);
     }
+  }
+
+  /// A subprogram whose arguments are told by their places, by the text of its file.
+  struct Places {
+    bool known = false;          ///< it begins in the file
+    uint64_t reads = 0;          ///< `#1` and so on: it works with them
+    uint64_t asked = 0;          ///< it looks whether it has them, or gives them a value itself
+    std::vector<unsigned> calls; ///< how many arguments each gives
+  };
+  using PlacesByLabel = std::map<uint32_t, Places>;
+  TextAnswers<FileId, PlacesByLabel> placed_;
+
+  /// `o<slot> call [1] [2]` with fewer arguments than all other calls give: the control gives 0 for
+  /// what is left out.
+  void fewerThanOthers(const Item &item, RuleContext &ctx) const {
+    if (item.kind != ItemKind::Call || !item.positional || !item.label)
+      return;
+    ctx.index().reader(); // the text is looked through, now or before
+    const PlacesByLabel &all = placed_.of(ctx.source().id(), [&] { return placesOf(ctx); });
+    const auto known = all.find(item.label);
+    if (known == all.end() || !known->second.known || known->second.calls.size() < 2)
+      return;
+    const Places &places = known->second;
+    const unsigned given = item.arguments;
+    const unsigned most = *std::max_element(places.calls.begin(), places.calls.end());
+    if (llvm::count(places.calls, most) + 1 != ptrdiff_t(places.calls.size()) || given >= most)
+      return;
+    for (unsigned place = given + 1; place <= most && place < 64; ++place) {
+      if (!((places.reads & ~places.asked) >> place & 1))
+        continue;
+      const SourceRange range = ctx.range(item);
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("this call gives {0} arguments and all others {1}: the subprogram works with "
+                     "#{2}, which is 0 in it",
+                     given, most, place);
+      return;
+    }
+  }
+
+  static PlacesByLabel placesOf(const RuleContext &ctx) {
+    PlacesByLabel all;
+    Places *inside = nullptr;
+    for (const Block &block : blocks(ctx.index().reader())) {
+      for (const Item &item : block.items) {
+        if (item.kind == ItemKind::Call && item.positional)
+          all[item.label].calls.push_back(item.arguments);
+        else if (item.kind == ItemKind::Structure && item.structure == Structure::Sub)
+          (inside = &all[item.label])->known = true;
+        else if (item.kind == ItemKind::Structure && item.structure == Structure::EndSub)
+          inside = nullptr;
+        else if (inside && item.kind == ItemKind::Assignment)
+          inside->asked |= placeOf(block.keyOf(item.target));
+        if (inside)
+          inside->asked |= placesIn(block, item.condition);
+      }
+      for (uint16_t i = 0; inside && i < block.expressions.size(); ++i)
+        inside->reads |= placesIn(block, i);
+    }
+    return all;
+  }
+
+  static uint64_t placeOf(uint64_t variable) {
+    constexpr uint64_t last = 30; // argument
+    return variable >= 1 && variable <= last ? uint64_t(1) << variable : 0;
+  }
+
+  static uint64_t placesIn(const Block &block, uint16_t expression) {
+    uint64_t places = 0;
+    if (expression < block.expressions.size()) {
+      const Expression &e = block.expressions[expression];
+      for (const ExpressionOp &op : llvm::makeArrayRef(block.operations).slice(e.first, e.count))
+        if (op.op == Op::Variable)
+          places |= placeOf(uint64_t(op.value));
+    }
+    return places;
   }
 
   static uint32_t letterOf(uint64_t variable) {

@@ -22,6 +22,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::FlowIssue, EventKind::Statement});
     restarts_ = to.dialect().facts->program.returnRestarts;
+    ownFrom_ = uint64_t(to.number("controlsOwnFrom", 0));
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -116,6 +117,7 @@ private:
            llvm::any_of(head.items, [](const Item &one) { return one.kind == ItemKind::While; });
   }
 
+  uint64_t ownFrom_ = 0;  ///< the first number of a variable of the control; 0: not known
   bool restarts_ = false; ///< a return code of a main program begins the next part
 
   /// A choice that leads back, over blocks that write nothing of what it looks at and lead nowhere
@@ -214,9 +216,16 @@ private:
       return {};
     std::set<uint64_t> read = variablesOf(item, here);
     const ProgramInfo &program = ctx.index().programAt(here.begin);
-    if (!read.empty() && !givenBefore(read, program, here, ctx))
+    if (!read.empty() && (isOfControl(read) || !givenBefore(read, program, here, ctx)))
       read.clear();
     return read;
+  }
+
+  /// One of them is the control's own: a clock, an input, a position, which change by themselves.
+  bool isOfControl(const std::set<uint64_t> &read) const {
+    constexpr uint64_t programs = 10000; // from here on they are the program's again
+    return ownFrom_ &&
+           llvm::any_of(read, [&](uint64_t key) { return key >= ownFrom_ && key < programs; });
   }
 
   /// A WHILE over blocks that write nothing of what its condition looks at and do not leave.

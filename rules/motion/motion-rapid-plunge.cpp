@@ -3,10 +3,12 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/next_station.h"
+#include "analyzer/facts/places_along.h"
 #include "analyzer/facts/turned_pass.h"
+#include "analyzer/facts/turned_shape.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
-#include "analyzer/rule/text_answers.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
 
@@ -34,17 +36,22 @@ public:
     if (ctx.block().has(letterAddress('F')) && withoutCode(event, ctx))
       return;
     if (lathe_) {
+      intoTurned(event, ctx);
       throughTurned(event, ctx);
       towardsChuck(event, ctx);
       return alongWork(event, ctx);
     }
-    if (isTurning(ctx))
+    if (isTurning(ctx)) {
+      intoTurned(event, ctx);
       return throughTurned(event, ctx);
+    }
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
     if (isRapidWithFeed(ctx) && !endsLowerBelowZero(ctx))
       memory().feedsRapids = true;
     alongOther(event, ctx);
     belowOthers(event, ctx);
+    if (!from.isConstant() && forNothing(event, ctx))
+      return;
     if (!(event.axes & tool) || event.inMachineCoordinates() || !from.isConstant() ||
         !to.isConstant() || ctx.before().inMachineCoordinates(Axis::Z) ||
         ctx.after().inMachineCoordinates(Axis::Z) || to.value() >= from.value() ||
@@ -53,7 +60,7 @@ public:
         turnsWork(ctx.dialect(), ctx.after()))
       return;
     if (intoClamp(event, ctx) || outOfCut(event, ctx) || withFeed(event, ctx) ||
-        beforeHome(event, ctx))
+        beforeHome(event, ctx) || forNothing(event, ctx) || slanting(event, ctx))
       return;
     // With a stock it is the end that counts, wherever the tool comes from.
     if (!top_ && (!wanted_ || event.axes != tool))
@@ -146,30 +153,68 @@ private:
     return true;
   }
 
-  /// What comes next of a move, and of the way home, to the next tool or to the end.
-  enum class Station : uint8_t { None, Move, Home };
+  /// A mill: down to below zero, and at once up again to above it: a sign is missing.
+  static bool forNothing(const Event &event, RuleContext &ctx) {
+    const Interval &to = ctx.after().at(Axis::Z);
+    const Word *const here = ctx.block().find(letterAddress('Z'));
+    if (!(event.axes >> unsigned(Axis::Z) & 1) || !to.isConstant() || to.value() >= 0 || !here ||
+        !event.certain || event.inMachineCoordinates() || !ctx.after().frames.empty() ||
+        ctx.after().inMachineCoordinates(Axis::Z) || ctx.before().may(Fact::UnknownCode) ||
+        turnsWork(ctx.dialect(), ctx.after()) || hasWorkOfItsOwn(ctx) ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+            Truth::No ||
+        !comesUpNext(ctx))
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message("this rapid move goes down to {0} below zero, and the tool comes up again "
+                      "with nothing done there: its Z has the other sign",
+                      shortLength(ctx, -to.value()));
+    return true;
+  }
 
-  static Station nextStation(const RuleContext &ctx) {
-    constexpr unsigned furthest = 8; // blocks
-    const Dialect &dialect = ctx.dialect();
+  /// A mill: from above zero down and across at once, to where it cuts on; all other ways down to
+  /// there are fed, along Z alone.
+  bool slanting(const Event &event, RuleContext &ctx) const {
+    constexpr unsigned habit = 2; // ways
+    const Word *const z = ctx.block().find(letterAddress('Z'));
+    if (top_ || !event.certain || !z || !z->isNumber() || z->value() >= 0 ||
+        ctx.before().at(Axis::Z).value() < 0 || event.axes == 1u << unsigned(Axis::Z) ||
+        !cutsOnAcross(ctx))
+      return false;
+    const PlacesAlong &places = places_.of(ctx);
+    const auto ways = places.below.find(z->value());
+    if (ways == places.below.end() || ways->second.rapid != 1 || ways->second.fed < habit)
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "this rapid move leads down and across to {0} below zero, where the tool cuts "
+          "on: elsewhere the program feeds it down to there",
+          shortLength(ctx, -ctx.after().at(Axis::Z).value()));
+    return true;
+  }
+
+  /// The next block feeds the tool in the plane, at the height where it is.
+  static bool cutsOnAcross(const RuleContext &ctx) {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
     BlocksAhead ahead(ctx);
     Block next;
-    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
-      if (!next.items.empty() || llvm::any_of(next.words, [&](const Word &word) {
-            const CodeIndex code = codeOf(dialect, word);
-            return word.address == letterAddress('M') &&
-                   (code == noCode || dialect.codes[code].action == Action::MachineSpecific);
-          }))
-        return Station::None;
-      if (findCode(dialect, next,
-                   {Action::ReferenceReturn, Action::MachineMove, Action::ToolChange,
-                    Action::ProgramEnd, Action::ProgramEndRewind}) ||
-          (dialect.toolChangeByT && next.has(letterAddress('T'))))
-        return Station::Home;
-      if (namesAxes(dialect, next))
-        return Station::Move;
-    }
-    return Station::None;
+    return ahead.next(next) && findCode(ctx.dialect(), next, {Action::Linear}) &&
+           axesOf(ctx.dialect(), next) && !(axesOf(ctx.dialect(), next) & ~plane);
+  }
+
+  /// A turning tool comes at rapid from outside to below what is left of the work.
+  void intoTurned(const Event &event, RuleContext &ctx) const {
+    const Interval &from = ctx.before().at(Axis::X), &to = ctx.after().at(Axis::X);
+    const bool along = event.axes == 1u << unsigned(Axis::Z);
+    if (!(along || event.axes >> unsigned(Axis::X) & 1) || !from.isConstant() || !to.isConstant() ||
+        (along ? to.value() <= 0 : to.value() >= from.value()) || !event.certain ||
+        event.inMachineCoordinates() || hasWorkOfItsOwn(ctx) ||
+        ctx.before().profile != ProfileMode::Off)
+      return;
+    const auto left = along ? rapidPassInTurned(shapes_, ctx) : rapidIntoTurned(shapes_, ctx);
+    if (auto finding = left ? ctx.report(event) : FindingBuilder())
+      finding.message("this rapid move ends inside of the diameter {0}, which the program leaves",
+                      shortNumber(*left));
   }
 
   /// A lathe: after a pass along the work straight to the begin of a deeper one, through what was
@@ -282,42 +327,11 @@ private:
            !findCode(dialect, block, {Action::Incremental, Action::Linear, Action::MachineMove});
   }
 
-  /// By file and program: the lowest Z but one that a block brings with a length, and whether there
-  /// are others; above zero: none is below it.
-  TextAnswers<std::pair<FileId, uint32_t>, std::pair<double, double>> lowest_;
-
   /// All other places of the program along Z are above that of the block, and some block cuts.
   bool isBelowAll(const RuleContext &ctx) const {
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    ctx.index().reader(); // the program is looked through, now or before
-    const auto &[first, second] =
-        lowest_.of({ctx.source().id(), program.begin}, [&] { return lowestPlaces(program, ctx); });
+    const auto &[first, second] = places_.of(ctx).lowest;
     const double here = ctx.block().find(letterAddress('Z'))->value();
     return here <= first && second < 0 && here < 2 * second;
-  }
-
-  /// The two lowest Z of a program; zeros where it has subprograms, or counts in increments.
-  static std::pair<double, double> lowestPlaces(const ProgramInfo &program,
-                                                const RuleContext &ctx) {
-    double first = 0, second = 0;
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
-      if (findCode(
-              ctx.dialect(), block,
-              {Action::CallProgram, Action::CallLocal, Action::MacroCall, Action::MacroModal}) ||
-          !block.items.empty())
-        return {};
-      const Word *const z = block.find(letterAddress('Z'));
-      if (!z || findCode(ctx.dialect(), block,
-                         {Action::MachineMove, Action::ReferenceReturn, Action::WorkOffset}))
-        continue;
-      if (!z->isNumber())
-        return {};
-      if (z->value() < first)
-        second = std::exchange(first, z->value());
-      else
-        second = std::min(second, z->value());
-    }
-    return {first, second};
   }
 
   /// At least two tools of the program come to above zero with their length, and but this one none
@@ -469,6 +483,8 @@ private:
     return false;
   }
 
+  TurnedShapes shapes_;
+  PlacesOfPrograms places_;
   std::optional<double> top_;
   bool wanted_ = false;
   bool lathe_ = false;

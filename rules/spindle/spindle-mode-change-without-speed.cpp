@@ -41,6 +41,8 @@ private:
       return sleepInShape();
     if (!(state.spindle & (spindleCw | spindleCcw))) // it stops, and another one may cut
       return;
+    if (!state.origin.of(StatePart::Speed).known()) // an unknown program may have set it
+      return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::SpeedMode);
     if (!mode || !origin.known())

@@ -6,6 +6,7 @@
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -62,15 +63,27 @@ public:
       return;
     }
     const bool certain = event.certain && ctx.before().must(Fact::SpindleStoppedByTap);
-    if (!certain && (ctx.before().may(Fact::UnknownCode) || isStartedBetween(ctx)))
+    if (!certain && ctx.before().may(Fact::UnknownCode))
       return;
     const Origin &tool = ctx.before().origin.of(StatePart::Tool);
     if ((tool.known() && memory().measured == tool) || !startsSpindle(ctx))
       return;
-    if (!memory().once.speaks(stoppedBy(ctx) ? ctx.before().origin.of(StatePart::Spindle)
-                                             : ctx.before().origin.of(StatePart::Cycle),
-                              ctx))
+    const Origin &cause =
+        ctx.before().origin.of(stoppedBy(ctx) ? StatePart::Spindle : StatePart::Cycle);
+    if (!memory().once.maySpeak(cause, ctx))
       return;
+    if (const Started started = startedBetween(ctx);
+        started == Started::InChoice || (!certain && started == Started::Yes))
+      return;
+    if (!memory().once.speaks(cause, ctx))
+      return;
+    tell(code, certain, ctx);
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"spindle-not-restarted"};
+
+  static void tell(const CodeInfo &code, bool certain, RuleContext &ctx) {
     if (auto finding = ctx.report(ctx.blockRange(), certain)) {
       if (const CodeInfo *stop = stoppedBy(ctx))
         finding
@@ -93,9 +106,6 @@ public:
     }
   }
 
-private:
-  static constexpr llvm::StringLiteral id{"spindle-not-restarted"};
-
   /// The file, or one that has called it, starts a spindle anywhere: others guide what needs none.
   bool startsSpindle(const RuleContext &ctx) const {
     if (isStartedIn(ctx.unit(), ctx.dialect()))
@@ -106,19 +116,40 @@ private:
     return false;
   }
 
-  /// A block between the stop and here starts the spindle on one of the paths: the conditions of
-  /// stop, start and cut may be the same.
-  static bool isStartedBetween(const RuleContext &ctx) {
-    constexpr unsigned most = 2000; // blocks
+  enum class Started : uint8_t { No, Yes, InChoice };
+
+  /// Whether a block between the stop and here starts the spindle on one of the paths: the
+  /// conditions of stop, start and cut may be the same. In a choice that begins and ends between
+  /// the two it does so on the path which the program means, whatever path is looked at.
+  Started startedBetween(const RuleContext &ctx) const {
     const Origin &stop = ctx.before().origin.of(StatePart::Spindle);
     if (!isHere(ctx, stop) || stop.begin >= ctx.block().begin)
-      return false;
-    for (const Block &block :
-         blocks(ctx.index(), ctx.source().lines().lineBegin(stop.begin), ctx.block().begin, most))
-      if (findCode(ctx.dialect(), block, {Action::SpindleCw, Action::SpindleCcw}))
-        return true;
-    return false;
+      return Started::No;
+    ctx.index().reader(); // the text is looked through, now or before
+    const auto &[at, how] =
+        starts_.of({stop.file, stop.begin}, [&] { return startAfter(stop, ctx); });
+    return at < ctx.block().begin ? how : Started::No;
   }
+
+  /// The first block after a stop that starts the spindle.
+  static std::pair<uint32_t, Started> startAfter(const Origin &stop, const RuleContext &ctx) {
+    constexpr unsigned most = 2000; // blocks
+    unsigned depth = 0;
+    for (const Block &block :
+         blocks(ctx.index().reader(), ctx.source().lines().lineBegin(stop.begin),
+                ctx.index().programAt(stop.begin).end, most)) {
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Structure) {
+          depth += opensBracket(item.structure);
+          depth -= closesBracket(item.structure) && depth;
+        }
+      if (findCode(ctx.dialect(), block, {Action::SpindleCw, Action::SpindleCcw}))
+        return {block.begin, depth ? Started::InChoice : Started::Yes};
+    }
+    return {~0u, Started::No};
+  }
+
+  TextAnswers<std::pair<FileId, uint32_t>, std::pair<uint32_t, Started>> starts_; ///< by the stop
 
   /// Looked up once for a file.
   bool isStartedIn(const FileUnit &unit, const Dialect &dialect) const {

@@ -53,8 +53,8 @@ public:
       return; // (the way home is in the block)
     if (before.may(Fact::AwayFromPart)) {
       afterHole(event, ctx);
-      if (!afterTurning(event, ctx) && !afterCut(event, ctx))
-        nearCut(event, ctx);
+      if (!afterTurning(event, ctx) && !afterCut(event, ctx) && !nearCut(event, ctx) && turns(ctx))
+        withoutHome(event, ctx);
       return;
     }
     if (isFedClear(ctx) || isStillHome(ctx) || (turns(ctx) && isForGang(ctx)))
@@ -75,25 +75,29 @@ private:
   }
   bool homeFirst_ = false; ///< a mill does not go to its change position by itself
 
-  /// A mill's tool that is changed where it has worked, and all others go home first.
+  /// A tool that is changed where it has worked, and all others go home first; on a lathe close to
+  /// the face.
   void withoutHome(const Event &event, RuleContext &ctx) const {
-    constexpr unsigned habit = 3; // tools
+    constexpr double near = 20;                // mm before the zero point
+    const unsigned habit = turns(ctx) ? 2 : 3; // tools
     const MachineState &before = ctx.before();
     const Interval &z = before.at(Axis::Z);
     const ToolPart *const tool = tools_.inUse(ctx);
     if (!tool || tool->home || !tool->follows || !event.certain || ctx.callDepth() > 0 ||
         !before.must(Fact::CutSinceTool) || before.may(Fact::UnknownCode) ||
         before.may(Fact::AtMachinePosition) || before.inMachineCoordinates(Axis::Z) ||
-        !z.isConstant() || tool->begin != ctx.block().begin ||
+        !z.isConstant() || tool->begin != ctx.block().begin || (turns(ctx) && z.value() > near) ||
         !tools_.allButOne(
             ctx, habit, [](const ToolPart &part) { return part.follows; },
             [](const ToolPart &part) { return part.home; }))
       return;
     if (auto finding = ctx.report(event))
-      finding.message(
-          "the tool is changed {0} above zero, where it has worked: all other changes of "
-          "the program come after a way home",
-          shortLength(ctx, z.value()));
+      finding.message("the tool is changed {0} {1} zero, where it has worked: all other changes of "
+                      "the program come after a way home",
+                      shortLength(ctx, std::fabs(z.value())),
+                      z.value() < 0 ? "past"
+                      : turns(ctx)  ? "before"
+                                    : "above");
   }
 
   /// On a lathe the last move was one in Z alone, out of the part and clear of its face: G01 was
@@ -287,30 +291,31 @@ private:
 
   /// On a lathe the last rapid move ends close to where the tool has cut last, whatever it did
   /// between: it went away and came back.
-  void nearCut(const Event &event, RuleContext &ctx) const {
+  bool nearCut(const Event &event, RuleContext &ctx) const {
     constexpr double nearX = 10, nearZ = 20; // mm, X of the diameter
     const MachineState &before = ctx.before();
     const Interval &x = before.at(Axis::X), &z = before.at(Axis::Z);
     const auto unit = millimetresPer(ctx.dialect(), before);
     const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
     if (units != noGroup && !before.isStated(units))
-      return; // what is 5 mm in one unit is 5 inches in the other
+      return false; // what is 5 mm in one unit is 5 inches in the other
     if (!turns(ctx) || !x.isConstant() || !z.isConstant() || !unit ||
         before.inMachineCoordinates(Axis::X) || before.inMachineCoordinates(Axis::Z) ||
         before.may(Fact::AtMachinePosition))
-      return;
+      return false;
     SourceRange last;
     const Place cut = lastCut(ctx, last);
     if (!cut.x || !cut.z || last.empty() ||
         std::fabs(x.value() * diameterFactor(ctx.dialect()) - *cut.x * *unit) > nearX ||
         cut.besideZ(z.value(), *unit) > nearZ || isForGang(ctx))
-      return;
+      return false;
     if (auto finding = ctx.report(event, false))
       finding
           .message("the tool is changed close to its last cut at X{0} Z{1}: the next one may hit "
                    "part, chuck or clamps",
                    shortNumber(*cut.x), shortNumber(*cut.z))
           .note(last, "this move ends there");
+    return true;
   }
 
   /// How far a program goes at rapid and at feed, in mm and mm of the diameter.

@@ -110,7 +110,8 @@ private:
     if (!to.isConstant() || to.value() <= 0)
       return;
     const Origin cancelled = ctx.after().originOf(ctx.dialect(), StandardGroup::LengthOffset);
-    if (!cancelled.known() || !memory().once.speaks(cancelled, ctx))
+    // Where the program switches none on, it cancels for safety what may be there.
+    if (!cancelled.known() || !programUsesOffsets(ctx) || !memory().once.speaks(cancelled, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding.severity(Severity::Warning)

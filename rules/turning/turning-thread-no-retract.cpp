@@ -64,7 +64,7 @@ private:
   /// A thread is in force, and none that is tapped.
   static bool isTurned(const RuleContext &ctx) {
     const CodeInfo *motion = ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion);
-    return isTurning(ctx) && !(motion && motion->leavesNoSpeed);
+    return isTurning(ctx) && !(motion && (motion->leavesNoSpeed || motion->returns));
   }
 
   bool lathe_ = false;

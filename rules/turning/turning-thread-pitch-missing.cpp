@@ -39,7 +39,8 @@ public:
         another(event, code, lead, ctx);
       return;
     }
-    if (before.must(Fact::FeedSet) && isUnusedSince(before.origin.of(StatePart::Feed), ctx))
+    const Origin &feed = before.origin.of(StatePart::Feed);
+    if (before.must(Fact::FeedSet) && (isUnusedSince(feed, ctx) || isOfThread(feed, ctx)))
       return;
     const Word *word = ctx.codeWord(event);
     const bool certain = event.certain && !before.may(Fact::FeedIsLead);
@@ -58,6 +59,18 @@ public:
   }
 
 private:
+  /// The feed is in the block of a thread: it was its lead, whatever was called since.
+  static bool isOfThread(const Origin &feed, const RuleContext &ctx) {
+    if (!feed.known() || !isHere(ctx, feed))
+      return false;
+    Block block;
+    ctx.index().read(ctx.source().lines().lineBegin(feed.begin), block);
+    return llvm::any_of(codesOf(ctx.dialect(), block), [&](CodeIndex index) {
+      const CodeInfo &code = ctx.dialect().codes[index];
+      return code.action == Action::Thread || cutsThread(code.cycle);
+    });
+  }
+
   /// `G00 X19. Z6. F1.5` and then the thread: nothing but it can be meant by the feed.
   static bool isUnusedSince(const Origin &feed, RuleContext &ctx) {
     constexpr unsigned furthest = 10; // blocks
