@@ -283,24 +283,24 @@ static bool leadsBack(const Dialect &dialect, const Block &block, double from) {
 std::optional<double> rapidPassInTurned(const TurnedShapes &shapes, const RuleContext &ctx) {
   constexpr double beside = 0.05, deep = 0.5, near = 8; // mm
   const auto move = turnedMove(ctx);
-  BlocksAhead ahead(ctx);
-  Block next;
-  if (!move || move->toX != move->fromX || !ahead.next(next) || !next.items.empty())
+  if (!move || move->toX != move->fromX || move->toX <= 0)
     return std::nullopt;
-  Block home;
-  if (!ahead.next(home) || !leadsBack(ctx.dialect(), home, move->toZ))
-    return std::nullopt; // through a bore it goes back where it came
-  const Word *const out = next.find(letterAddress('X'));
   const TurnedShape &shape = shapes.of(ctx);
-  const double back = (move->fromZ > move->toZ ? beside : -beside) / move->unit;
-  const TurnedShape::At at{ctx.block().begin, move->toZ + back};
+  const TurnedShape::At at{ctx.block().begin, move->toZ + beside / move->unit};
   const auto left = shape.diameter(at);
-  if (!left || !out || !out->isNumber() || out->has(wordIncremental) ||
-      out->value() < *left + deep / move->unit || next.has(letterAddress('Z')) ||
-      move->toX > *left - deep / move->unit || shape.isTurned({at.block, move->fromZ}) ||
+  if (!left || move->toX > *left - deep / move->unit || shape.isTurned({at.block, move->fromZ}) ||
       shape.isOpened(at, move->toX + deep / move->unit, near / move->unit))
     return std::nullopt;
-  return left;
+  // Outwards and back beside the work: through a bore it goes back where it came.
+  BlocksAhead ahead(ctx);
+  Block out, home;
+  if (!ahead.next(out) || !out.items.empty() || out.has(letterAddress('Z')) || !ahead.next(home) ||
+      !leadsBack(ctx.dialect(), home, move->toZ))
+    return std::nullopt;
+  const Word *const x = out.find(letterAddress('X'));
+  return x && x->isNumber() && !x->has(wordIncremental) && x->value() >= *left + deep / move->unit
+             ? left
+             : std::nullopt;
 }
 
 bool rapidOutOfGroove(const TurnedShapes &shapes, const RuleContext &ctx) {

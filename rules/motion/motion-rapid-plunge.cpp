@@ -207,7 +207,7 @@ private:
     const Interval &from = ctx.before().at(Axis::X), &to = ctx.after().at(Axis::X);
     const bool along = event.axes == 1u << unsigned(Axis::Z);
     if (!(along || event.axes >> unsigned(Axis::X) & 1) || !from.isConstant() || !to.isConstant() ||
-        (along ? to.value() <= 0 : to.value() >= from.value()) || !event.certain ||
+        (along ? !leadsToChuck(ctx) : to.value() >= from.value()) || !event.certain ||
         event.inMachineCoordinates() || hasWorkOfItsOwn(ctx) ||
         ctx.before().profile != ProfileMode::Off)
       return;
@@ -215,6 +215,10 @@ private:
     if (auto finding = left ? ctx.report(event) : FindingBuilder())
       finding.message("this rapid move ends inside of the diameter {0}, which the program leaves",
                       shortNumber(*left));
+  }
+
+  static bool leadsToChuck(const RuleContext &ctx) {
+    return ctx.after().at(Axis::Z).hi < ctx.before().at(Axis::Z).lo;
   }
 
   /// A lathe: after a pass along the work straight to the begin of a deeper one, through what was
