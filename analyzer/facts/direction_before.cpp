@@ -2,6 +2,7 @@
 #include "analyzer/facts/direction_before.h"
 
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/path_ahead.h"
 #include "interp/geometry/circle.h"
 
 namespace ncvet {
@@ -122,7 +123,7 @@ std::optional<Vector> directionBefore(const RuleContext &ctx) {
   const MachineState &before = ctx.before();
   const CodeInfo *motion = before.activeCode(dialect, StandardGroup::Motion);
   if (!motion || (motion->action != Action::Linear && !isArc(motion->action)) ||
-      !before.frames.empty() ||
+      !keepsLengths(before.frames) ||
       (dialect.group(StandardGroup::Distance) != noGroup &&
        before.isActive(dialect, StandardGroup::Distance, {Action::Absolute}) != Truth::Yes))
     return std::nullopt;

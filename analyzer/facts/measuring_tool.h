@@ -30,14 +30,26 @@ inline bool measuresBeforeNextTool(const RuleContext &ctx, const ProgramInfo &pr
   return false;
 }
 
+/// Whether the line of a tool calls it by a name that probes have: `T="3D_TASTER"`.
+inline bool namesProbe(llvm::StringRef line) {
+  const llvm::StringRef name = line.split('"').second.split('"').first;
+  for (const char *const probe : {"TASTER", "FUEHLER", "PROBE", "RENISHAW"})
+    if (name.contains_insensitive(probe))
+      return true;
+  return false;
+}
+
 /// Whether the tool in use measures: between the block that changed it in, or the begin of the
-/// program, and the next change a block of the text makes a skip move.
+/// program, and the next change a block of the text makes a skip move, or it has the name of a
+/// probe.
 inline bool toolMeasures(const RuleContext &ctx, const MeasuringTools &known) {
   const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
   const Origin &tool = ctx.after().origin.of(StatePart::Tool);
   const bool here = tool.known() && tool.file == ctx.source().id() && tool.begin >= program.begin &&
                     tool.begin < program.end;
   const uint32_t from = here ? ctx.source().lines().lineBegin(tool.begin) : program.begin;
+  if (here && namesProbe(ctx.source().text(from, ctx.source().lines().lineEnd(tool.begin))))
+    return true;
   ctx.index().reader(); // the text is looked through, now or before
   return known.of({ctx.source().id(), std::max(from, program.begin)}, [&] {
     return measuresBeforeNextTool(ctx, program, std::max(from, program.begin));

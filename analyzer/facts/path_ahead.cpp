@@ -32,13 +32,16 @@ bool goesOn(const Outcome &outcome) {
   }
 }
 
-/// Whether lengths are the same inside of the frames and outside.
+} // namespace
+
 bool keepsLengths(const FrameStack &frames) {
   if (frames.empty())
     return true;
   const auto total = frames.total();
   return total && total->keepsLengths();
 }
+
+namespace {
 
 /// The block's only move, when it stays in its plane and in its coordinates; else null.
 const Event *moveInPlane(const ExecutedBlock &executed) {

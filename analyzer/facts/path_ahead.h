@@ -45,6 +45,10 @@ struct StraightElement {
   Vector direction() const { return (to - from) / length(); }
 };
 
+/// Whether lengths are the same inside of the frames and outside: there are none, or they shift,
+/// turn and mirror alone.
+bool keepsLengths(const FrameStack &frames);
+
 /// The line that the block cuts in its plane and nowhere else; none when it is no line, or its ends
 /// or the lengths of its frame are not known.
 std::optional<StraightElement> straightElement(const ExecutedBlock &executed);

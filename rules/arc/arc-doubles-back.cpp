@@ -295,7 +295,7 @@ private:
     const MachineState &state = ctx.after();
     const std::array<Axis, 2> axes = ctx.arcWords().axes;
     const Interval &x = state.at(axes[0]), &y = state.at(axes[1]);
-    if (!x.isConstant() || !y.isConstant() || !state.frames.empty() ||
+    if (!x.isConstant() || !y.isConstant() || !keepsLengths(state.frames) ||
         (dialect.isLathe() && !ctx.outcome().known) ||
         (dialect.group(StandardGroup::Diameter) != noGroup && axes[0] == Axis::Z) ||
         !readsAbsolute(dialect, state))

@@ -54,8 +54,12 @@ private:
       return sleepInShape();
     const SourceRange lastTool = memory().lastTool.look();
     std::optional<SourceRange> &told = memory().told.look();
-    if (lastTool.empty() || turns(before, ctx.dialect()) || (told && !(*told == lastTool)))
+    if (lastTool.empty() || (told && !(*told == lastTool)))
       return;
+    if (turns(before, ctx.dialect())) { // for the rest of its work, in whatever plane
+      memory().lastTool.note() = {};
+      return;
+    }
     told = lastTool;
     if (auto finding = ctx.report(lastTool, event.certain))
       finding

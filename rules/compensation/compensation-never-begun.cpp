@@ -29,7 +29,7 @@ public:
         before.profile != ProfileMode::Off ||
         before.activeAction(ctx.dialect(), StandardGroup::Motion) == Action::Rapid ||
         !leavesBy(ctx.after().activeAction(ctx.dialect(), StandardGroup::Motion), turns) ||
-        !ctx.after().frames.empty() || !endsContour(plane, ctx))
+        !isShiftedOrTurned(ctx.after().frames) || !endsContour(plane, ctx))
       return;
     const bool alone = !ctx.block().hasAny(plane);
     if ((alone && !goesOn(plane, turns, ctx)) ||
@@ -44,6 +44,12 @@ public:
   }
 
 private:
+  /// In a mirror image the sides are others.
+  static bool isShiftedOrTurned(const FrameStack &frames) {
+    const auto total = frames.empty() ? std::optional(Frame()) : frames.total();
+    return total && total->keepsLengths() && !total->mirrors(0, 1) && !total->mirrors(2, 0);
+  }
+
   static bool isOff(const MachineState &state, const RuleContext &ctx) {
     return state.compensation == phaseOff &&
            state.activeAction(ctx.dialect(), StandardGroup::Compensation) ==

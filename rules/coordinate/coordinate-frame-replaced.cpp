@@ -1,4 +1,5 @@
 // A frame that replaces the one in force.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 
@@ -39,23 +40,34 @@ public:
 private:
   /// The frames in force began with the same code: the next place of a part begins anew, as
   /// `TRANS`, `AROT` and `TRANS` again. After `TRANS X40 Y30` and `ATRANS X75` a `TRANS X75` gives
-  /// up Y, where a row of ATRANS goes on.
+  /// up Y, where a row of ATRANS goes on;
+  /// after `TRANS X60 Y40` and `AROT` a `TRANS X45` alone gives up Y and the rotation.
   static bool beganAlike(const CodeInfo &code, const RuleContext &ctx) {
     constexpr unsigned furthest = 200; // blocks
     Block block;
-    bool added = false, alikeLast = false;
+    bool added = false, alikeLast = false, turnedLast = false;
     bool more = readPrevious(ctx, block);
     for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block)) {
       const CodeInfo *const frame =
           findCode(ctx.dialect(), block, {Action::FrameSet, Action::FrameAdd, Action::FrameClear});
       if (frame && frame->action != Action::FrameAdd)
-        return added && frame->name == code.name && !(alikeLast && losesAxis(block, ctx));
-      if (frame && !added)
+        return added && frame->name == code.name &&
+               !((alikeLast || (turnedLast && !turnsNext(ctx))) && losesAxis(block, ctx));
+      if (frame && !added) {
         alikeLast = frame->frame == code.frame &&
                     axesOf(ctx.dialect(), block) == axesOf(ctx.dialect(), ctx.block());
+        turnedLast = frame->frame == FrameKind::Rotation && code.frame == FrameKind::Shift;
+      }
       added |= frame != nullptr;
     }
     return false;
+  }
+
+  /// The next block adds a frame to this one, as the place before had it.
+  static bool turnsNext(const RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
+    Block next;
+    return !ahead.next(next) || findCode(ctx.dialect(), next, {Action::FrameAdd});
   }
 
   /// The first frame moves an axis that this one does not name.

@@ -140,13 +140,17 @@ private:
   /// Whether any block of the text moves an axis, calls a program or runs a cycle.
   static bool moves(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
+    bool any = false;
     for (const Block &block :
-         blocks(ctx.index(), ctx.index().reader().first(), uint32_t(ctx.source().text().size())))
-      if (block.hasAny(dialect.axisWords | dialect.polarWords) ||
+         blocks(ctx.index(), ctx.index().reader().first(), uint32_t(ctx.source().text().size()))) {
+      if (findCode(dialect, block, {Action::SkipMove})) // it measures where its work lies
+        return false;
+      any |=
+          block.hasAny(dialect.axisWords | dialect.polarWords) ||
           findCode(dialect, block, {Action::Cycle, Action::ToolChange}) ||
-          llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::Call; }))
-        return true;
-    return false;
+          llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::Call; });
+    }
+    return any;
   }
 
   TextAnswers<FileId, std::vector<Passes>> passes_;

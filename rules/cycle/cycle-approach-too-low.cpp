@@ -34,7 +34,7 @@ public:
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
     const Interval &from = ctx.before().at(tool);
-    if (!words[0] || !words[1] || !unit || !from.isConstant() ||
+    if (!words[0] || !words[1] || !unit || !from.isConstant() || mayBeDiameter(tool, ctx) ||
         ctx.before().inMachineCoordinates(tool))
       return;
     // From anywhere above the part the path up is free.
@@ -78,6 +78,11 @@ private:
     return words;
   }
 
+  /// Levels along X may be diameters, as its coordinates are.
+  static bool mayBeDiameter(Axis tool, const RuleContext &ctx) {
+    return tool == Axis::X && ctx.dialect().group(StandardGroup::Diameter) != noGroup;
+  }
+
   /// The tool is below the surface in which the holes begin, where the cycle is called.
   static void belowSurface(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const MachineState &before = ctx.before();
@@ -86,7 +91,7 @@ private:
     const Interval &from = before.at(tool);
     const auto unit = millimetresPer(ctx.dialect(), before);
     if (!words[0] || !words[1] || !unit || !from.isConstant() || !event.certain ||
-        !ctx.codeWord(event) || before.inMachineCoordinates(tool) ||
+        mayBeDiameter(tool, ctx) || !ctx.codeWord(event) || before.inMachineCoordinates(tool) ||
         (axesOf(ctx.dialect(), ctx.block()) >> unsigned(tool) & 1) ||
         before.may(Fact::UnknownCode) || before.profile != ProfileMode::Off)
       return;

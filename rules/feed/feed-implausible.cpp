@@ -1,4 +1,6 @@
 // A feed whose size belongs to the other feed unit, or with which nothing cuts.
+#include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/value/units.h"
@@ -52,9 +54,7 @@ public:
       return;
     const double feed = value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
     const bool tooSlow = mode->action == Action::FeedPerMinute && feed < perMinuteBelow_;
-    // A constant cutting speed is one mode with the feed per revolution where they share a group.
-    const bool perTurn = mode->action == Action::FeedPerRevolution ||
-                         (mode->action == Action::SurfaceSpeed && !carried);
+    const bool perTurn = isPerTurn(*mode, carried);
     const bool tooFast = perTurn && feed > perRevolutionAbove_;
     if (mode->action == Action::FeedPerRevolution && !carried && feed < perRevolutionBelow_ &&
         feed * (unitsSaid() ? 1 : millimetresPerInch) < perRevolutionBelow_)
@@ -64,6 +64,8 @@ public:
     if (!tooSlow && !tooFast)
       return sleepInShape();
     if (carried && !isCarried(ctx))
+      return;
+    if (mode->action == Action::ConstantSpeed && isStatedTwice(ctx))
       return;
     if (statedMode_ && !state.originOf(ctx.dialect(), StandardGroup::FeedMode).known())
       return; // data of the machine say which mode it begins with
@@ -84,6 +86,24 @@ public:
   }
 
 private:
+  /// The codes of the speed are modes of the feed per revolution where they share its group.
+  static bool isPerTurn(const CodeInfo &mode, bool carried) {
+    return mode.action == Action::FeedPerRevolution ||
+           (!carried &&
+            (mode.action == Action::SurfaceSpeed ||
+             (mode.action == Action::ConstantSpeed && mode.family == "per-revolution")));
+  }
+
+  /// `G94 G97 S3000`: of two codes of the mode in one block, as posts write it, the first is meant.
+  static bool isStatedTwice(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    Block block;
+    readBlockOf(ctx, ctx.after().originOf(dialect, StandardGroup::FeedMode), block);
+    return llvm::count_if(codesOf(dialect, block), [&](CodeIndex code) {
+             return dialect.codes[code].group == dialect.group(StandardGroup::FeedMode);
+           }) > 1;
+  }
+
   /// On a lathe whose program says no mode: a feed that is hundreds of times as great as one that
   /// has cut before belongs to the other mode.
   void unlikeBefore(const Event &event, RuleContext &ctx) const {

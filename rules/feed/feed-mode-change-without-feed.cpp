@@ -79,7 +79,7 @@ private:
       return;
     if (mode.file != feed.file || mode.file != ctx.source().id())
       return ofOtherProgram(event, mode, feed, ctx);
-    if (!state.must(Fact::FeedCarried) || feed.begin > mode.begin || !changed(mode, ctx) ||
+    if (!state.must(Fact::FeedCarried) || feed.begin > mode.begin || !changed(mode, feed, ctx) ||
         mode.begin == memory().reported)
       return;
     memory().reported = mode.begin;
@@ -239,9 +239,8 @@ private:
   bool afterTap_ = false;
   bool forgets_ = false; ///< see `GroupInfo::forgetsFeed`
 
-  /// Whether the code at `mode` was not in force already: there is another one between F and it, or
-  /// the program had stated another before.
-  static bool changed(const Origin &mode, const RuleContext &ctx) {
+  /// Whether F was programmed under another unit than that of the code at `mode`, by the text.
+  static bool changed(const Origin &mode, const Origin &feed, const RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     Block block;
     readBlockOf(ctx, mode, block);
@@ -252,7 +251,7 @@ private:
       return false;
     do
       for (const Word &before : llvm::reverse(block.words))
-        if (before.offset < mode.begin)
+        if (block.begin <= feed.begin && before.offset < mode.begin)
           if (const auto last = stated(dialect, before))
             return otherUnit(dialect, *last, code);
     while (readBack(ctx, block));

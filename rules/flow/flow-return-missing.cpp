@@ -29,7 +29,9 @@ public:
       finding.message("`{0}` ends the job inside a called program: `{1}` returns to the caller",
                       ctx.text(ctx.flowRange()), back);
     else
-      finding.message("the called program ends without `{0}`: the control does not find back", back)
+      finding
+          .message("the called program ends without `{0}`: some controls stop here, others return",
+                   back)
           .fix(FixSafety::Unsafe, "insert `" + back + "` after this block",
                TextEdit{{ctx.flowRange().file, ctx.flowRange().end, ctx.flowRange().end},
                         "\n" + back});

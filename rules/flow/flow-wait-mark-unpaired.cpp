@@ -79,6 +79,10 @@ private:
     });
   }
 
+  static bool waits(const CodeInfo &code) {
+    return llvm::any_of(code.notices, [](const Notice &notice) { return id == notice.rule; });
+  }
+
   /// Whether the block sets the mark, or one that its text does not tell.
   static bool sets(const Dialect &dialect, const Block &block, int64_t mark) {
     return llvm::any_of(block.words, [&](const Word &word) {
@@ -86,9 +90,14 @@ private:
       if (code == noCode || dialect.codes[code].family != family)
         return false;
       const Item *const item = instructionOf(&word, block);
-      return item && llvm::any_of(block.argumentsOf(*item), [&](const Argument &one) {
-               return numberOf(one, block).value_or(mark) == mark;
-             });
+      if (!item)
+        return false;
+      // The further arguments of a wait are its channels.
+      llvm::ArrayRef<Argument> marks = block.argumentsOf(*item);
+      if (waits(dialect.codes[code]))
+        marks = marks.take_front(1);
+      return llvm::any_of(
+          marks, [&](const Argument &one) { return numberOf(one, block).value_or(mark) == mark; });
     });
   }
 

@@ -52,7 +52,7 @@ public:
     // After a cut, or lifted from it by too little.
     if (before.must(Fact::AwayFromPart) && (to.value() >= 0 || staysWhereItHasCut(after)))
       return;
-    if (toolMeasures(ctx, measuring_)) // it touches, and cuts nothing
+    if (toolMeasures(ctx, measuring_) || liftsOff(before, after)) // it touches, and cuts nothing
       return;
     if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown)) {
       finding.message("rapid in the plane at depth {0}: the tool was fed in from {1}",
@@ -63,6 +63,17 @@ public:
   }
 
 private:
+  /// A tool with one edge is taken off the wall of its bore, with the spindle oriented.
+  static bool liftsOff(const MachineState &before, const MachineState &after) {
+    constexpr uint8_t turning = spindleCw | spindleCcw;
+    constexpr double far = 2; // mm
+    const double x = after.at(Axis::X).lo - before.at(Axis::X).lo,
+                 y = after.at(Axis::Y).lo - before.at(Axis::Y).lo;
+    return !(before.spindle & turning) && before.at(Axis::X).isConstant() &&
+           before.at(Axis::Y).isConstant() && after.at(Axis::X).isConstant() &&
+           after.at(Axis::Y).isConstant() && x * x + y * y <= far * far;
+  }
+
   /// The work turns: along Z out of a groove, or on along the contour with the nose compensated.
   void alongTurned(const Event &event, RuleContext &ctx) const {
     constexpr uint16_t z = 1u << unsigned(Axis::Z);

@@ -43,9 +43,10 @@ public:
     const char *why = wrongName(ctx.text(range));
     if (!why && isAddress(ctx.text(range), ctx.dialect()))
       why = "the control knows it as an address";
-    if (why)
-      if (auto finding = ctx.report(range))
-        finding.message("`{0}` is no name for a variable: {1}", ctx.text(range), why);
+    if (!why || (!ctx.asked() && followsWrongName(item, ctx)))
+      return;
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is no name for a variable: {1}", ctx.text(range), why);
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
@@ -63,10 +64,25 @@ public:
   }
 
 private:
+  /// `DEF REAL L1,L2,L3`: the first name speaks for the others of its block.
+  static bool followsWrongName(const Item &item, const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().items, [&](const Item &other) {
+      const auto name = ctx.text(SourceRange{ctx.source().id(), other.nameBegin, other.nameEnd});
+      return other.kind == ItemKind::Definition && other.begin < item.begin &&
+             (wrongName(name) || isAddress(name, ctx.dialect()));
+    });
+  }
+
   static void badName(const SyntaxIssue &issue, RuleContext &ctx) {
     if (issue.kind != SyntaxIssueKind::BadName)
       return;
     const SourceRange range = ctx.range(issue);
+    // Of variables that have the name of a word syntax-unknown-name speaks.
+    if (!ctx.asked() && !llvm::isDigit(ctx.text(range)[0]) &&
+        llvm::any_of(ctx.block().items, [&](const Item &item) {
+          return item.kind == ItemKind::Definition && item.nameBegin == range.begin;
+        }))
+      return;
     if (auto finding = ctx.report(range))
       finding.message(llvm::isDigit(ctx.text(range)[0])
                           ? "`{0}` is no name: it has to begin with two letters"
@@ -229,8 +245,7 @@ private:
           text.drop_front(at).take_until([](char c) { return c == '\r' || c == '\n' || c == ';'; });
       const llvm::StringRef head = line.rtrim();
       const llvm::StringRef name = head.drop_front();
-      const bool readable = llvm::all_of(
-          name, [](char c) { return llvm::isAlnum(c) || c == '_' || c == ' ' || c == '\t'; });
+      const bool readable = llvm::all_of(name, [](char c) { return llvm::isAlnum(c) || c == '_'; });
       const llvm::StringRef kind = name.rsplit('_').second;
       const bool known =
           kindOfEnding(kind, ctx.dialect()) != ProgramKind::Unknown ||

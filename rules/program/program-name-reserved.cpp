@@ -85,7 +85,8 @@ private:
     const SourceRange where{ctx.source().id(), definition.nameBegin, definition.nameEnd};
     const llvm::StringRef name = ctx.text(where);
     const CodeIndex own = name.empty() ? noCode : ctx.dialect().keyword(name);
-    if (own == noCode)
+    // Of the words of groups syntax-unknown-name speaks.
+    if (own == noCode || (ctx.dialect().codes[own].group != noGroup && !ctx.asked()))
       return;
     if (auto finding = ctx.report(where))
       finding.message("`{0}` is a word of the control itself ({1}): no variable can have its name",

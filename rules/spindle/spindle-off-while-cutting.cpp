@@ -27,6 +27,10 @@ public:
     builderStarts_ = to.flag("builderStarts");
     startWhereNamed_ = to.flag("startWhereNamed");
     masterFeeds_ = to.flag("masterFeeds");
+    const auto &switches = to.dialect().switches;
+    otherMaster_ = unsigned(
+        llvm::find_if(switches, [](const SwitchInfo &one) { return one.id == "other-master"; }) -
+        switches.begin());
     const MachineProfile &machine = to.machine();
     top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
                                                   : machine.number("stockTopZ");
@@ -54,7 +58,8 @@ public:
     // The feed per revolution is that of the main spindle, whatever else turns.
     const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
                                               {Action::FeedPerRevolution}) == Truth::Yes;
-    if (perRevolution && masterFeeds_)
+    if (perRevolution && masterFeeds_ &&
+        (otherMaster_ >= ctx.dialect().switches.size() || !state.switchMayBeOn(otherMaster_)))
       live = spindleOff;
     if (!mayStop(state.spindle, live))
       return sleepInShape();
@@ -268,6 +273,7 @@ private:
 
   MeasuringTools measuring_;
   bool anyMachine_ = false; ///< a program that names no spindle at all may be for a machine without
+  unsigned otherMaster_ = 0;     ///< switch that says that another spindle is the master
   bool masterFeeds_ = false;     ///< feed per revolution is that of the master spindle
   bool startWhereNamed_ = false; ///< a program that never wants a spindle is for one with a switch
   bool builderStarts_ = false;   ///< a program that starts no spindle has it started by other codes

@@ -1,8 +1,10 @@
 // A name that the control does not know and the program does not define.
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/instruction_name.h"
+#include "analyzer/facts/near_names.h"
 #include "analyzer/facts/word_checks.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -76,6 +78,8 @@ public:
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
             .message("`{0}` is no attribute of a program that the control knows", ctx.text(range));
+    if (issue.kind == SyntaxIssueKind::BadName)
+      return taken(range, ctx);
     if (issue.kind != SyntaxIssueKind::UnknownWord)
       return;
     auto finding = ctx.report(range);
@@ -124,11 +128,27 @@ private:
           .message("`{0}` is no function of this control", ctx.text(name));
   }
 
+  /// A variable with the name of a word of the language.
+  static void taken(const SourceRange &name, RuleContext &ctx) {
+    const bool defined = llvm::any_of(ctx.block().items, [&](const Item &item) {
+      return item.kind == ItemKind::Definition && item.nameBegin == name.begin;
+    });
+    if (!defined || !isLetter(ctx.text(name)[0]))
+      return;
+    if (auto finding = ctx.report(name))
+      finding.message(
+          "`{0}` is a word of the language and names no variable: the control stops here",
+          ctx.text(name));
+  }
+
   /// A name that the program has defined before.
   static void again(const Item &item, RuleContext &ctx) {
     if (item.kind != ItemKind::Definition)
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
+    const CodeIndex word = ctx.dialect().keyword(ctx.text(range));
+    if (word != noCode && ctx.dialect().codes[word].group != noGroup)
+      return taken(range, ctx);
     const Defined *first =
         ctx.index().definition(ctx.index().programAt(ctx.block().begin), ctx.text(range));
     if (!first || first->kind != ItemKind::Definition || first->begin >= item.nameBegin)
@@ -164,7 +184,7 @@ private:
         return;
       // Names as builders write them may be definitions of the machine, if none is like them, and
       // those of a subprogram the caller's.
-      const Defined *near = nearlyDefined(name, ctx.index().definitions(program));
+      const std::optional<Defined> near = nearlyDefined(name, program, ctx);
       if (called ? !near || isMentionedAgain(ctx.range(*near), program, ctx)
                  : mayBeOfMachine(name) && !near)
         return;
@@ -192,7 +212,7 @@ private:
         !memory().spoken.insert(variableKey(name)).second)
       return;
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
-    if (const Defined *near = nearlyDefined(name, ctx.index().definitions(program))) {
+    if (const auto near = nearlyDefined(name, program, ctx)) {
       const SourceRange defined = ctx.range(*near);
       // In a subprogram the caller may have defined the name, save where the other is for nothing.
       if (called && isMentionedAgain(defined, program, ctx))
@@ -232,43 +252,47 @@ private:
           .message("`{0}` is no variable of the control: it has no value", name);
   }
 
-  /// The first definition whose name differs by one letter, not by its digits; null: there is none.
-  static const Defined *nearlyDefined(llvm::StringRef name,
-                                      const FileIndex::Definitions &definitions) {
-    const auto letters = [](llvm::StringRef text) {
-      std::string kept;
-      for (const char c : text)
-        if (!llvm::isDigit(c))
-          kept += llvm::toUpper(c);
-      return kept;
-    };
-    const std::string own = letters(name);
-    const Defined *near = nullptr;
-    for (const auto &entry : definitions) {
-      const std::string other = letters(entry.getKey());
-      if (entry.getValue().kind != ItemKind::Definition || other == own ||
-          entry.getKey().size() < shortest ||
-          llvm::StringRef(other).edit_distance(own, true, 1) > 1)
-        continue;
-      if (!near || near->begin > entry.getValue().begin)
-        near = &entry.getValue();
-    }
-    return near;
+  /// The first definition whose name differs by one letter, not by its digits.
+  std::optional<Defined> nearlyDefined(llvm::StringRef name, const ProgramInfo &program,
+                                       const RuleContext &ctx) const {
+    return near_
+        .of({ctx.source().id(), program.begin},
+            [&] { return NearNames(ctx.index().definitions(program), shortest); })
+        .near(name);
   }
 
   static bool isLetter(char c) { return llvm::isAlpha(c) || c == '_'; }
 
   /// Whether the text of the program has the name of a definition in a second place.
-  static bool isMentionedAgain(const SourceRange &defined, const ProgramInfo &program,
-                               const RuleContext &ctx) {
+  bool isMentionedAgain(const SourceRange &defined, const ProgramInfo &program,
+                        const RuleContext &ctx) const {
     constexpr uint32_t readable = 1u << 18;
     if (program.end - program.begin > readable)
       return true;
-    const std::string name = ctx.text(defined).upper();
-    const std::string text = ctx.source().text(program.begin, program.end).upper();
-    const size_t first = text.find(name);
-    return first == std::string::npos || text.find(name, first + 1) != std::string::npos;
+    const Mentions &mentions = mentions_.of({ctx.source().id(), program.begin}, [&] {
+      return mentionsIn(ctx.source().text(program.begin, program.end));
+    });
+    return mentions.lookup(ctx.text(defined).upper()) != 1;
   }
+
+  using Mentions = llvm::StringMap<unsigned>;
+
+  /// How often a text has each name, in capitals.
+  static Mentions mentionsIn(llvm::StringRef text) {
+    Mentions mentions;
+    while (!text.empty()) {
+      const llvm::StringRef name =
+          text.take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
+      if (!name.empty())
+        ++mentions[name.upper()];
+      text = text.drop_front(std::max<size_t>(name.size(), 1));
+    }
+    return mentions;
+  }
+
+  /// By file and program.
+  TextAnswers<std::pair<FileId, uint32_t>, NearNames> near_;
+  TextAnswers<std::pair<FileId, uint32_t>, Mentions> mentions_;
 
   static constexpr size_t shortest = 4; ///< shorter names differ by a letter on purpose
 

@@ -186,12 +186,10 @@ private:
     }
     if (event.kind == EventKind::OffsetWord) {
       const bool further = event.offset().isConstant() && event.offset().value() > 1;
-      const bool alone = event.word->address == letterAddress('D') &&
-                         !ctx.block().has(letterAddress('T')) && !ctx.find({Action::ToolChange});
-      if (!alone)
+      if (event.word->address != letterAddress('D') || ctx.find({Action::ToolChange}))
         return;
       memory().waits =
-          further && ctx.before().preselected != notSet ? ctx.range(*event.word) : SourceRange();
+          further && ctx.after().preselected != notSet ? ctx.range(*event.word) : SourceRange();
       return;
     }
     const SourceRange waits = std::exchange(memory().waits, {});

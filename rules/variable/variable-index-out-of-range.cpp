@@ -84,7 +84,8 @@ private:
       llvm::SmallVector<llvm::StringRef, 3> indices;
       rest.substr(open + 1, *length).split(indices, ',');
       const llvm::StringRef part = indices.back().trim();
-      const bool isName = part.size() == 2 && llvm::isAlpha(part[0]) && llvm::isAlpha(part[1]);
+      const bool isName = (part.size() == 2 && llvm::all_of(part, llvm::isAlpha)) ||
+                          ctx.dialect().keyword(part) != noCode;
       if (indices.size() < 2 || !isName ||
           llvm::any_of(frameParts_,
                        [&](llvm::StringRef one) { return part.equals_insensitive(one); }) ||

@@ -156,6 +156,21 @@ TEST(Bounds, AProgramOfManyDefinitionsIsFollowedToItsEnd) {
   EXPECT_TRUE(check("sinumerik", defined + "G0 X0\nM30\n").complete);
 }
 
+TEST(Bounds, ManyNamesThatAreAlmostDefinedCostInProportion) {
+  constexpr unsigned many = 6'000;
+  std::string defined, used;
+  for (unsigned i = 0; i < many; ++i) {
+    std::string name;
+    for (unsigned rest = i, k = 0; k < 4; ++k, rest /= 10)
+      name += char('A' + 2 * (rest % 10));
+    defined += "DEF REAL WEG" + name + "QQ\n";
+    used += "R1=WEG" + name + "QX\n";
+  }
+  const std::string text = defined + "N1 G54 G17 G90\n" + used + "M30\n";
+  EXPECT_LT(secondsToCheck("sinumerik", text), generous);
+  EXPECT_LT(secondsToCheck("sinumerik", "PROC PART\n" + defined + used + "M17\n"), generous);
+}
+
 /// An editor checks at every key: here a repeat whose last number is still to be typed.
 TEST(Bounds, AHalfTypedRepeatIsNoHang) {
   EXPECT_LT(secondsToCheck("ecs", "N80 G1 X10 Y10 F100\nN20 G1 X20\n<RPT:N80;N\nN90 G0 X0\n"),

@@ -65,7 +65,10 @@ void SinumerikScanner::scanSynchronised(Keyword keyword, const char *begin) {
     return add(item);
   }
   Deeds deeds;
-  for (skipBlanks(); !atBlockEnd(); skipBlanks())
+  skipBlanks();
+  if (atBlockEnd() && block_.issues.size() == issues)
+    issue(SyntaxIssueKind::BadStatement, begin, end);
+  for (; !atBlockEnd(); skipBlanks())
     scanAction(deeds);
   // Only an action that may turn the spindle changes what is known of it.
   if (deeds.turns)
@@ -142,13 +145,19 @@ void SinumerikScanner::scanAction(Deeds &deeds) {
       issue(SyntaxIssueKind::MissingEquals, begin, at_);
     return;
   }
+  if (isJump(sinumerikKeyword(name))) {
+    rest();
+    return issue(SyntaxIssueKind::NoAction, begin, at_);
+  }
   const char letter = char(name[0] | 32);
   const llvm::StringRef number = name.drop_front();
   if (llvm::all_of(number, isNumberDigit)) {
     deeds.turns |= letter == 's' || (letter == 'm' && mayTurnSpindle(number));
     // The path is the program's own: of the G functions only the units of lengths are actions.
     const bool units = number == "70" || number == "71" || number == "700" || number == "710";
-    if (letter == 'f' || letter == 't' || letter == 'd' || (letter == 'g' && !units))
+    const bool coordinate =
+        letter >= 'x' && letter <= 'z' && !number.empty() && block_.issues.empty();
+    if (letter == 'f' || letter == 't' || letter == 'd' || coordinate || (letter == 'g' && !units))
       issue(SyntaxIssueKind::NoAction, begin, at_);
     if (!scanActionValue(name, begin))
       skipNumberCharacters();
