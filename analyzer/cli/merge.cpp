@@ -10,6 +10,7 @@
 #include "llvm/Support/raw_ostream.h"
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <set>
 
 namespace ncvet::cli {

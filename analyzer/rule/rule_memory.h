@@ -5,6 +5,7 @@
 #include "formats/text/text_change.h"
 #include "interp/state/state.h"
 
+#include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/ADT/bit.h"
@@ -14,6 +15,7 @@
 #include <map>
 #include <set>
 #include <type_traits>
+#include <unordered_map>
 
 namespace ncvet {
 

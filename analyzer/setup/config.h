@@ -3,6 +3,8 @@
 
 #include "analyzer/rule/rule_settings.h"
 
+#include <map>
+
 namespace ncvet {
 
 /// The least severity that makes a check fail; none: never.

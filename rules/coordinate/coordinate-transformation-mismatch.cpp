@@ -1,5 +1,6 @@
 // A transformation that does not fit the machine.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/stored_names.h"
 #include "interp/geometry/circle.h"
 

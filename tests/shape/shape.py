@@ -7,6 +7,7 @@ import sys
 import exceptions
 from functions import all_functions
 from includes import arrows_up, circles, folded, include_graph, stem
+from names import unseen
 from rooms import TABLE, read_rooms, room_of
 
 TOPS = ("analyzer", "rules", "interp", "formats", "lsp")
@@ -81,6 +82,9 @@ def main():
         print(f"shape: {path} lies in no room of {TABLE}")
     if homeless:
         return 1
+    chances = unseen(sources, root)
+    for path, name, header in chances:
+        print(f"shape: {path} uses {name} and includes nothing that declares it, as {header} does")
     found = examine(root, sources, rooms)
     new, stale, left = exceptions.without_parts(*exceptions.compared(found.entries, exceptions.read(root)))
     if options.shrink and stale:
@@ -100,7 +104,7 @@ def main():
         f"{found.count('file')} files over {MOST_IN_FILE}, "
         f"{found.count('circle')} circles, {found.arrows()} arrows up"
     )
-    return 1 if new or stale else 0
+    return 1 if new or stale or chances else 0
 
 
 sys.exit(main())
