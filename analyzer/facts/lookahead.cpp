@@ -208,38 +208,16 @@ std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &s
   return std::nullopt;
 }
 
+bool namesAxesAlone(const Dialect &dialect, const Block &block) {
+  return block.hasAny(dialect.incrementWords) && llvm::all_of(block.words, [&](const Word &word) {
+           const AddressMask mask = maskOf(word.address);
+           return (mask & dialect.incrementWords) ? word.isNumber() && word.mantissa == 0
+                                                  : !(mask & dialect.axisWords);
+         });
+}
+
 bool comesFromBelow(const MachineState &state) {
   return state.commons.given(storedKey(StoredName::Below)) == Truth::Yes;
-}
-
-/// Widens a hole that is there.
-static bool bores(CycleKind kind) {
-  switch (kind) {
-  case CycleKind::Ream:
-  case CycleKind::ReamDwell:
-  case CycleKind::BoreStop:
-  case CycleKind::BoreManual:
-  case CycleKind::BoreDwellManual:
-  case CycleKind::FineBore:
-  case CycleKind::BackBore:
-    return true;
-  default:
-    return false;
-  }
-}
-
-bool makesHole(CycleKind kind) {
-  return kind == CycleKind::Drill || kind == CycleKind::DrillDwell || kind == CycleKind::Peck ||
-         kind == CycleKind::ChipBreak || taps(kind) || bores(kind);
-}
-
-bool taps(CycleKind kind) {
-  return kind == CycleKind::Tap || kind == CycleKind::TapLeft || kind == CycleKind::RigidTap ||
-         kind == CycleKind::RigidTapLeft;
-}
-
-bool cutsThread(CycleKind kind) {
-  return kind == CycleKind::ThreadPass || kind == CycleKind::ThreadMulti;
 }
 
 llvm::StringRef verbOf(CycleKind kind) {

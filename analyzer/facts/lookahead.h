@@ -17,6 +17,10 @@ bool readPrevious(const RuleContext &ctx, Block &previous);
 /// The same, before a block that `readPrevious` returned; `block` is overwritten.
 bool readBack(const RuleContext &ctx, Block &block);
 
+/// Whether all axis words of the block are increments of zero: `G18 W0 H0` names axes and moves
+/// none.
+bool namesAxesAlone(const Dialect &dialect, const Block &block);
+
 /// Where the words of a block of this file are.
 SourceRange wordsRange(FileId file, const Block &block);
 inline SourceRange wordsRange(const RuleContext &ctx, const Block &block) {
@@ -55,12 +59,6 @@ std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &s
 /// Whether the tool comes from below the work, so that its planes are the other way round: the
 /// tables' codes say so in `_BELOW`.
 bool comesFromBelow(const MachineState &state);
-/// True for cycles that make a hole along the tool axis.
-bool makesHole(CycleKind kind);
-/// True for tapping cycles.
-bool taps(CycleKind kind);
-/// True for threads cut by turning.
-bool cutsThread(CycleKind kind);
 /// "drills", "taps", "bores", "turns", … for messages.
 llvm::StringRef verbOf(CycleKind kind);
 

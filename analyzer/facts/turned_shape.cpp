@@ -98,15 +98,9 @@ private:
   /// Cycles that cut what the text shows, or nothing of the outside.
   static bool leavesShape(const CodeInfo &code) {
     const CycleKind kind = code.cycle;
-    switch (kind) {
-    case CycleKind::RoughTurn:
-    case CycleKind::RoughFace:
-    case CycleKind::PatternRepeat:
-    case CycleKind::Finish:
+    if (turnsProfile(kind))
       return code.letter == 'G'; // others name a contour, which may be in another file
-    default:
-      return makesHole(kind) || cutsThread(kind) || kind == CycleKind::ThreadInfeed;
-    }
+    return makesHole(kind) || cutsThread(kind) || kind == CycleKind::ThreadInfeed;
   }
 
   void move(const Block &block) {

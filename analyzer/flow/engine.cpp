@@ -172,9 +172,8 @@ void Engine::finish() {
   const std::vector<int64_t> numbers(used.numbers.begin(), used.numbers.end());
   const std::vector<int64_t> called(used.programs.begin(), used.programs.end());
   const std::vector<std::string> labels(used.labels.begin(), used.labels.end());
-  const std::vector<std::string> names(used.names.begin(), used.names.end());
-  const FileSummary summary{unit.index, unit.source, *unit.reader, reached,  numbers,
-                            called,     labels,      names,        complete, used.anyNumber};
+  const FileSummary summary{unit.index, unit.source, *unit.reader, reached,       numbers,
+                            called,     labels,      complete,     used.anyNumber};
   visits.begin();
   visits.visit(nullptr);
   listeners.tell([&](FlowListener &listener) { listener.finished(summary); });

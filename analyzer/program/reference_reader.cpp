@@ -264,15 +264,10 @@ void BlockReferences::call(const Item &item) {
 
 /// The whole number that an expression is; none when it is computed.
 std::optional<int64_t> BlockReferences::constant(uint16_t expression) const {
-  if (expression >= block_.expressions.size())
+  const auto value = block_.numberIn(expression);
+  if (!value || !(*value >= 0 && *value < 1e15) || *value != double(int64_t(*value)))
     return std::nullopt;
-  const Expression &e = block_.expressions[expression];
-  if (e.count != 1 || block_.operations[e.first].op != Op::Number)
-    return std::nullopt;
-  const double value = block_.operations[e.first].value;
-  if (!(value >= 0 && value < 1e15) || value != double(int64_t(value)))
-    return std::nullopt;
-  return int64_t(value);
+  return int64_t(*value);
 }
 
 /// One place that a jump, a repeat or an answer leads to.

@@ -17,14 +17,11 @@ std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block,
     reference.to = ReferredKind::Label;
     reference.text = index.source().text(argument.begin, argument.end);
   } else {
-    if (argument.kind != ArgumentKind::BlockNumber ||
-        argument.expression >= block.expressions.size())
-      return std::nullopt;
-    const Expression &number = block.expressions[argument.expression];
-    if (number.bad || number.count != 1 || block.operations[number.first].op != Op::Number)
+    const auto number = block.numberIn(argument.expression);
+    if (argument.kind != ArgumentKind::BlockNumber || !number)
       return std::nullopt;
     reference.to = ReferredKind::Block;
-    reference.number = int64_t(block.operations[number.first].value);
+    reference.number = int64_t(*number);
   }
   return resolveBlock(index, index.programAt(block.begin), reference, from);
 }

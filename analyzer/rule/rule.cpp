@@ -245,6 +245,12 @@ bool FileSummary::isAnyReached(uint32_t begin, uint32_t end) const {
   return at != reached.end() && at->begin < end;
 }
 
+SourceRange FileSummary::numberAt(uint32_t offset) const {
+  Block block;
+  reader.read(offset, block);
+  return {source.id(), block.numberBegin, block.numberEnd};
+}
+
 bool FileSummary::isReached(uint32_t offset) const {
   const auto at =
       llvm::partition_point(reached, [&](const SourceRange &r) { return r.end <= offset; });

@@ -321,13 +321,13 @@ struct FileSummary {
   llvm::ArrayRef<int64_t> calledPrograms;
   /// Keys of the labels that a jump or repeat of this file named, ascending.
   llvm::ArrayRef<std::string> usedLabels;
-  /// Names of the programs called, in capitals, ascending.
-  llvm::ArrayRef<std::string> calledNames;
   bool complete =
       true; ///< false: the analysis was cut short, what was not reached may be reachable
   bool anyNumberUsed = false; ///< a local call computes the number to which it leads
 
   bool isReached(uint32_t offset) const;
+  /// Where the number of the block is that begins at `offset`.
+  SourceRange numberAt(uint32_t offset) const;
   /// Whether any of [begin, end) is.
   bool isAnyReached(uint32_t begin, uint32_t end) const;
 };

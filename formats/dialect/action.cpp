@@ -11,15 +11,6 @@ constexpr llvm::StringLiteral spellings[] = {
 };
 } // namespace
 
-llvm::StringRef toString(Action action) { return spellings[unsigned(action)]; }
-
-std::optional<Action> parseAction(llvm::StringRef text) {
-  for (size_t index = 0; index < std::size(spellings); ++index)
-    if (spellings[index] == text)
-      return Action(index);
-  return std::nullopt;
-}
-
 llvm::ArrayRef<llvm::StringLiteral> actionNames() { return spellings; }
 
 } // namespace ncvet

@@ -143,8 +143,6 @@ enum class Action : uint8_t {
 #undef X
 };
 
-llvm::StringRef toString(Action action);
-std::optional<Action> parseAction(llvm::StringRef text);
 /// All spellings, in the order of the enumeration.
 llvm::ArrayRef<llvm::StringLiteral> actionNames();
 

@@ -3,6 +3,7 @@
 
 #include "formats/dialect/action.h"
 #include "formats/dialect/address.h"
+#include "formats/dialect/cycle_kind.h"
 #include "formats/dialect/formula.h"
 #include "formats/finding/finding.h"
 
@@ -41,48 +42,6 @@ struct ValueTest {
   PointRule point = PointRule::Any;
   std::vector<double> oneOf; ///< when not empty: also broken by any other value
 };
-
-/// Canned and turning cycles, by the motions that they make.
-enum class CycleKind : uint8_t {
-  None,
-  Drill,
-  DrillDwell,
-  Peck,
-  ChipBreak,
-  Tap,
-  TapLeft,
-  RigidTap,
-  RigidTapLeft,
-  Ream,
-  ReamDwell,
-  BoreStop,
-  BoreManual,
-  BoreDwellManual,
-  FineBore,
-  BackBore,
-  TurnPass,
-  FacePass,
-  ThreadPass,
-  RoughTurn,
-  RoughFace,
-  PatternRepeat,
-  Finish,
-  GrooveFace,
-  GrooveRadial,
-  ThreadMulti,
-  Pattern, ///< moves from place to place; the active modal cycle runs at each
-  Face,    ///< mills a face
-  Contour, ///< mills along a contour
-  Pocket,
-  Slot,
-  ThreadMill,
-  Measure,      ///< touches the work
-  ThreadInfeed, ///< threads pass by pass beside a line along Z, each deeper than the one before
-  Surface,      ///< mills a surface: at each place at another depth
-  ThreadChain   ///< threads from place to place, pass by pass
-};
-llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
-std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
 
 /// When a notice, a word requirement or a variant applies. Every part that is given must hold.
 struct Condition {
@@ -174,7 +133,6 @@ enum class Role : uint8_t {
   Counterbore
 };
 llvm::StringRef toString(Role role); ///< as in the tables: "peck-first"
-std::optional<Role> parseRole(llvm::StringRef text);
 
 /// How a frame changes coordinates.
 enum class FrameKind : uint8_t {

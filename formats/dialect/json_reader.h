@@ -59,13 +59,6 @@ public:
     if (std::optional<long> value = whole(member(object, key), least, most))
       target = Integer(*value);
   }
-  /// An enumerator by its name; `what` names the kind in the message: "role".
-  template <typename Enum>
-  void readName(const Json &object, const char *key, const char *what,
-                llvm::ArrayRef<llvm::StringLiteral> names, Enum &target) {
-    if (std::optional<size_t> index = choice(member(object, key), what, names))
-      target = Enum(*index);
-  }
   std::optional<std::string> text(const Json &value);
   std::optional<double> number(const Json &value);
   std::optional<bool> flag(const Json &value);

@@ -88,21 +88,6 @@ llvm::ArrayRef<llvm::StringLiteral> severityNames() { return severities; }
 llvm::ArrayRef<llvm::StringLiteral> standardGroupNames() { return groups; }
 
 llvm::StringRef toString(Role role) { return roles[unsigned(role)]; }
-llvm::StringRef toString(CycleKind kind) { return cycles[unsigned(kind)]; }
 llvm::StringRef toString(StandardGroup group) { return groups[unsigned(group)]; }
-
-std::optional<Role> parseRole(llvm::StringRef text) {
-  for (size_t index = 0; index < std::size(roles); ++index)
-    if (roles[index] == text)
-      return Role(index);
-  return std::nullopt;
-}
-
-std::optional<CycleKind> parseCycleKind(llvm::StringRef text) {
-  for (size_t index = 0; index < std::size(cycles); ++index)
-    if (cycles[index] == text)
-      return CycleKind(index);
-  return std::nullopt;
-}
 
 } // namespace ncvet

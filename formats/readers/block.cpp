@@ -65,6 +65,15 @@ const Word *Block::argument(unsigned position) const {
   return nullptr;
 }
 
+std::optional<double> Block::numberIn(uint16_t expression) const {
+  if (expression >= expressions.size())
+    return std::nullopt;
+  const Expression &number = expressions[expression];
+  if (number.bad || number.count != 1 || operations[number.first].op != Op::Number)
+    return std::nullopt;
+  return operations[number.first].value;
+}
+
 uint64_t Block::keyOf(uint16_t expression) const {
   if (expression >= expressions.size() || expressions[expression].count != 1)
     return 0;

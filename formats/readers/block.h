@@ -9,6 +9,7 @@
 #include "llvm/ADT/StringRef.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace ncvet {
 
@@ -379,6 +380,8 @@ struct Block {
   llvm::ArrayRef<Argument> argumentsOf(const Item &item) const {
     return llvm::makeArrayRef(arguments).slice(item.firstArgument, item.arguments);
   }
+  /// The number that an expression is by itself; none: it is computed, absent, or cannot be read.
+  std::optional<double> numberIn(uint16_t expression) const;
   /// Key of the variable that an expression names, when the text says it; 0: it does not.
   uint64_t keyOf(uint16_t expression) const;
   /// Key of the variable whose value an expression is; 0: it is something else.

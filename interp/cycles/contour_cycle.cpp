@@ -21,11 +21,7 @@ std::optional<double> known(const std::optional<Interval> &value) {
   return value && value->isConstant() ? std::optional(value->value()) : std::nullopt;
 }
 
-bool worksAlongContour(CycleKind kind) {
-  return kind == CycleKind::RoughTurn || kind == CycleKind::RoughFace ||
-         kind == CycleKind::PatternRepeat || kind == CycleKind::Finish ||
-         kind == CycleKind::Contour;
-}
+bool worksAlongContour(CycleKind kind) { return turnsProfile(kind) || kind == CycleKind::Contour; }
 
 void readLevels(const ExecutedBlock &executed, const CycleParameters &words, ContourCycle &cycle) {
   cycle.tool = toolAxis(executed.dialect, executed.after);

@@ -156,7 +156,7 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   state_.at(tool) = levelAfterCycle(code, height);
   state_.machineAxes &= ~(1u << unsigned(tool));
   state_.set(Fact::AwayFromPart);
-  if (code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft) {
+  if (tapsRigidly(code.cycle)) {
     state_.spindle = spindleAny;
     state_.set(Fact::SpindleStoppedByTap);
   } else if (code.spindle == SpindleNeed::StartsItself) {

@@ -272,9 +272,6 @@ private:
   CodeIndex activeCycle() const;
 
   Origin originOf(const Word &word) const { return {file_, word.offset, block_.endOf(word)}; }
-  Origin originOfBlock() const {
-    return {file_, block_.begin, std::max(block_.end, block_.begin + 1)};
-  }
   // The groups of these are noted once a block, see `run`.
 
   /// Millimetres per unit of a programmed length; none when it is not known which unit is in force.

@@ -26,8 +26,7 @@ Execution::TechnologyUse Execution::technologyUse() const {
     if (code.action == Action::Dwell)
       use.dwell |= code.takes;
     use.arguments |= code.action == Action::MacroCall || code.action == Action::MacroModal;
-    use.lead |= code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
-                code.cycle == CycleKind::ThreadMulti;
+    use.lead |= code.action == Action::Thread || cutsThread(code.cycle);
     use.ofCycle |= ownNumbers(code);
   }
   if (!use.lead && !use.arguments)

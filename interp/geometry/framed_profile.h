@@ -20,8 +20,6 @@ public:
   bool isSteady() const {
     return llvm::all_of(pieces_, [](const ProfilePiece &piece) { return piece.isSteady(); });
   }
-  /// Whether the path to the contour leads in that direction too.
-  bool beginsSteady() const { return ProfilePiece{start_, first()}.isSteady(); }
   /// By a quarter turn: levels across are levels along.
   void turn() {
     map([](const Point &p) { return Point(p.y(), -p.x()); }, /*mirrors=*/false);

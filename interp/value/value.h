@@ -20,8 +20,6 @@ struct Interval {
   /// Both ends are finite.
   bool isBounded() const { return std::isfinite(lo) && std::isfinite(hi); }
   double value() const { return lo; } ///< of a constant
-  bool mustBeLess(double bound) const { return hi < bound; }
-  bool mayBeLess(double bound) const { return lo < bound; }
   bool contains(double value) const { return lo <= value && value <= hi; }
 
   friend bool operator==(const Interval &a, const Interval &b) {

@@ -33,7 +33,6 @@ public:
 private:
   /// Units of `bytes`.
   uint32_t units(llvm::StringRef bytes) const;
-  uint32_t unitsOfCharacter(llvm::StringRef bytes) const;
 
   const SourceFile &source_;
   PositionEncoding encoding_;

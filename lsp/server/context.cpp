@@ -321,9 +321,7 @@ void Context::answerNow(const Asked &asked, const Answer &answer) {
               *states};
     try {
       auto json = answer(view);
-      if (json && json->is_discarded())
-        held->fail(RpcError::ContentModified, "the document has changed");
-      else if (json)
+      if (json)
         (*held)(std::move(*json));
       else
         held->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));

@@ -44,9 +44,6 @@ struct ClientSupport {
   bool refreshesTokens = false, refreshesHints = false, refreshesLenses = false;
 };
 
-/// The reply `ContentModified`.
-inline const Json outdated = Json(Json::value_t::discarded);
-
 /// A document under its setup, for the time of one request.
 struct View {
   const Document &document;
@@ -85,8 +82,7 @@ public:
 
   /// Binds a request about one document: `answer` runs on the thread of features.
   void onDocument(llvm::StringRef method, std::function<Json(View &, const Json &params)> answer);
-  /// Runs `answer` for `document` on the thread of features and gives what it returns; `outdated`
-  /// says that the document has changed meanwhile.
+  /// Runs `answer` for `document` on the thread of features and gives what it returns.
   void answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer);
   /// The same; an error is one that the user reads.
   void answerOrFail(const Document &document, Reply reply, Answer answer);

@@ -92,18 +92,7 @@ private:
     case Action::WorkOffset: // the same once more changes nothing
       return code.group == noGroup || ctx.before().group(code.group) != (uint64_t(1) << code.bit);
     case Action::Cycle:
-      switch (cycles_ ? code.cycle : CycleKind::None) {
-      case CycleKind::TurnPass:
-      case CycleKind::FacePass:
-      case CycleKind::RoughTurn:
-      case CycleKind::RoughFace:
-      case CycleKind::PatternRepeat:
-      case CycleKind::Finish:
-      case CycleKind::None:
-        return false;
-      default:
-        return true;
-      }
+      return cycles_ && code.cycle != CycleKind::None && !turnsOrFaces(code.cycle);
     default:
       return true;
     }

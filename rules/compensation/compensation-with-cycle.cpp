@@ -51,8 +51,7 @@ public:
     if (auto finding = ctx.report(where, active == Truth::Yes && event.certain)) {
       const CodeInfo *on = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
       const std::string off = compensationOffCode(ctx.dialect(), ctx.after());
-      const bool thread = code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
-                          code.cycle == CycleKind::ThreadMulti;
+      const bool thread = code.action == Action::Thread || cutsThread(code.cycle);
       finding
           .message(
               thread ? "`{0}` cuts a thread while {1} is on: the control stops, or the thread "
@@ -89,19 +88,7 @@ private:
   }
 
   static bool forbidden(CycleKind cycle) {
-    switch (cycle) {
-    case CycleKind::None:
-    case CycleKind::TurnPass:
-    case CycleKind::FacePass:
-    case CycleKind::RoughTurn:
-    case CycleKind::RoughFace:
-    case CycleKind::PatternRepeat:
-    case CycleKind::Finish:
-    case CycleKind::Surface:
-      return false;
-    default:
-      return true;
-    }
+    return cycle != CycleKind::None && cycle != CycleKind::Surface && !turnsOrFaces(cycle);
   }
 };
 

@@ -167,10 +167,8 @@ private:
   static bool mayCount(const Item &repeat, const Block &block, const Interval &wanted) {
     if (repeat.count == noExpression)
       return true;
-    const Expression &count = block.expressions[repeat.count];
-    const ExpressionOp &first = block.operations[count.first];
-    return count.bad || count.count != 1 || first.op != Op::Number || !wanted.isConstant() ||
-           first.value == wanted.value();
+    const auto count = block.numberIn(repeat.count);
+    return !count || !wanted.isConstant() || *count == wanted.value();
   }
 
   /// A frame that is to be set several times, and nothing repeats it.

@@ -21,13 +21,13 @@ public:
       if (to.dialect().groups[i].id == "tapping-mode")
         tapping_ = GroupIndex(i);
     if (tapDirectly_ && tapping_ != noGroup)
-      to.onCode([](const CodeInfo &code) { return taps(code); });
+      to.onCode([](const CodeInfo &code) { return tapsByCycle(code); });
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
-    if (tapDirectly_ && tapping_ != noGroup && taps(code)) {
+    if (tapDirectly_ && tapping_ != noGroup && tapsByCycle(code)) {
       between(event, ctx);
       neverPrepared(event, code, ctx);
     }
@@ -44,10 +44,8 @@ public:
   }
 
 private:
-  static bool taps(const CodeInfo &code) {
-    return code.action == Action::Cycle &&
-           (code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
-            code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft);
+  static bool tapsByCycle(const CodeInfo &code) {
+    return code.action == Action::Cycle && taps(code.cycle);
   }
 
   /// A tool that taps with neither a speed nor a start of its own: the spindle is stopped since the

@@ -56,7 +56,7 @@ public:
                        code.name);
       return;
     }
-    if (isNoWay(event, ctx))
+    if (event.kind == EventKind::Motion && namesAxesAlone(ctx.dialect(), ctx.block()))
       return;
     // Only the first cut: it is the same mistake in all that follow. Where the program has no feed
     // at all and codes that only the builder knows, these may set the conditions.
@@ -78,17 +78,6 @@ private:
       const size_t at = text.find_last_of("Ff");
       return at != llvm::StringRef::npos && at + 1 < text.size() &&
              (llvm::isDigit(text[at + 1]) || text[at + 1] == '.' || text[at + 1] == '#');
-    });
-  }
-
-  /// Increments of 0 that only name the axes: `G01 G18 W0 H0`.
-  static bool isNoWay(const Event &event, const RuleContext &ctx) {
-    if (event.kind != EventKind::Motion || !ctx.block().hasAny(ctx.dialect().axisWords))
-      return false;
-    return llvm::all_of(ctx.block().words, [&](const Word &word) {
-      return !(ctx.dialect().axisWords & maskOf(word.address)) ||
-             (word.isNumber() && word.mantissa == 0 &&
-              (ctx.dialect().incrementWords & maskOf(word.address)));
     });
   }
 

@@ -299,8 +299,7 @@ private:
       return false;
     return llvm::any_of(before.items, [&](const Item &item) {
       return item.kind == ItemKind::Assignment && before.keyOf(item.target) == variable &&
-             item.value < before.expressions.size() && before.expressions[item.value].count == 1 &&
-             before.operations[before.expressions[item.value].first].op == Op::Number;
+             before.numberIn(item.value);
     });
   }
 

@@ -61,12 +61,10 @@ private:
   }
 
   static std::optional<int64_t> numberOf(const Argument &argument, const Block &block) {
-    if (argument.kind != ArgumentKind::Expression || argument.expression == noExpression)
+    const auto number = block.numberIn(argument.expression);
+    if (argument.kind != ArgumentKind::Expression || !number)
       return std::nullopt;
-    const Expression &value = block.expressions[argument.expression];
-    if (value.bad || value.count != 1 || block.operations[value.first].op != Op::Number)
-      return std::nullopt;
-    return int64_t(block.operations[value.first].value);
+    return int64_t(*number);
   }
   static std::optional<int64_t> markOf(const Item &wait, const Block &block) {
     const llvm::ArrayRef<Argument> arguments = block.argumentsOf(wait);

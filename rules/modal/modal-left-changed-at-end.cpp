@@ -55,21 +55,7 @@ private:
   static constexpr llvm::StringLiteral id{"modal-left-changed-at-end"};
 
   /// Cycles of the main spindle's turning tools, in the plane of X and Z.
-  static bool isTurned(CycleKind kind) {
-    switch (kind) {
-    case CycleKind::TurnPass:
-    case CycleKind::FacePass:
-    case CycleKind::ThreadPass:
-    case CycleKind::ThreadMulti:
-    case CycleKind::RoughTurn:
-    case CycleKind::RoughFace:
-    case CycleKind::PatternRepeat:
-    case CycleKind::Finish:
-      return true;
-    default:
-      return false;
-    }
-  }
+  static bool isTurned(CycleKind kind) { return turnsOrFaces(kind) || cutsThread(kind); }
 
   /// Whether the block of `origin` or one of the next two holds a cycle.
   static bool drillsAt(const Origin &origin, RuleContext &ctx) {

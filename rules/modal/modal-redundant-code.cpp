@@ -151,13 +151,10 @@ private:
 
   static std::optional<int64_t> numberOf(const Block &block, const Item &item, size_t place) {
     const Argument &argument = block.argumentsOf(item)[place];
-    if (argument.kind != ArgumentKind::Expression ||
-        argument.expression >= block.expressions.size())
+    const auto number = block.numberIn(argument.expression);
+    if (argument.kind != ArgumentKind::Expression || !number)
       return std::nullopt;
-    const Expression &e = block.expressions[argument.expression];
-    if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number)
-      return std::nullopt;
-    return int64_t(block.operations[e.first].value);
+    return int64_t(*number);
   }
 
   /// A line of several modes, which states them all whatever they are.

@@ -1,5 +1,5 @@
 // Axis words come before any motion code of the program.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
@@ -30,7 +30,7 @@ public:
         ctx.after().may(Fact::UnknownCode))
       return;
     const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
-    if (!word || word->has(wordNoValue) || isNoWay(ctx))
+    if (!word || word->has(wordNoValue) || namesAxesAlone(ctx.dialect(), ctx.block()))
       return;
     memory().reported = true;
     const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
@@ -45,15 +45,6 @@ public:
   }
 
 private:
-  /// The axis words of the block are increments of zero: `G18 W0 H0` names axes and moves none.
-  static bool isNoWay(const RuleContext &ctx) {
-    return llvm::all_of(ctx.block().words, [&](const Word &word) {
-      const AddressMask mask = maskOf(word.address);
-      return (mask & ctx.dialect().incrementWords) ? word.isNumber() && word.mantissa == 0
-                                                   : !(mask & ctx.dialect().axisWords);
-    });
-  }
-
   /// The power-on mode is documented, and it feeds: whoever leaves the code out rarely knows.
   void powerOn(const Event &event, RuleContext &ctx) const {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);

@@ -150,19 +150,13 @@ private:
     return block.mainBlock;
   }
 
-  static SourceRange numberAt(const NumberedBlock &where, const FileSummary &file) {
-    Block block;
-    file.reader.read(where.offset, block);
-    return {file.source.id(), block.numberBegin, block.numberEnd};
-  }
-
   static void report(const NumberedBlock &first, const NumberedBlock &again, const char *message,
                      Severity severity, const FileSummary &file, RuleContext &ctx,
                      size_t further = 0) {
-    if (auto finding = ctx.report(numberAt(again, file)))
+    if (auto finding = ctx.report(file.numberAt(again.offset)))
       finding.message(message, again.number, further)
           .severity(severity)
-          .note(numberAt(first, file), "the first one");
+          .note(file.numberAt(first.offset), "the first one");
   }
 
   Severity unreferenced_ = Severity::Warning;

@@ -66,7 +66,7 @@ private:
     for (const NumberedBlock &block : numbers) {
       if ((block.number > 0 && block.number <= greatest) || data.holds(block.offset))
         continue;
-      const SourceRange where = numberAt(block, file);
+      const SourceRange where = file.numberAt(block.offset);
       if (auto finding = ctx.report(where))
         finding.severity(block.number > 0 ? std::optional(Severity::Warning) : std::nullopt)
             .message(block.number > 0 ? "`{0}` has more than {1} digits: the control does not take "
@@ -142,18 +142,12 @@ private:
 
   static void report(const NumberedBlock &before, const NumberedBlock &block,
                      const FileSummary &file, RuleContext &ctx) {
-    if (auto finding = ctx.report(numberAt(block, file)))
+    if (auto finding = ctx.report(file.numberAt(block.offset)))
       finding
           .message("N{0} comes after N{1}: blocks run in the order of the text, "
                    "not of their numbers",
                    block.number, before.number)
-          .note(numberAt(before, file), "the higher number");
-  }
-
-  static SourceRange numberAt(const NumberedBlock &where, const FileSummary &file) {
-    Block text;
-    file.reader.read(where.offset, text);
-    return {file.source.id(), text.numberBegin, text.numberEnd};
+          .note(file.numberAt(before.offset), "the higher number");
   }
 };
 

@@ -58,8 +58,7 @@ public:
           event.motion == MotionKind::Skip || event.inMachineCoordinates())
         return;
     } else if (code.spindle == SpindleNeed::StartsItself || code.spindle == SpindleNeed::Any ||
-               code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
-               code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft) {
+               taps(code.cycle)) {
       return;
     }
     const bool certain = event.certain && ctx.before().must(Fact::SpindleStoppedByTap);

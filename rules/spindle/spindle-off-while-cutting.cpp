@@ -130,21 +130,12 @@ private:
     if (!ctx.dialect().isLathe() && ctx.before().must(Fact::AtMachinePosition) &&
         ctx.before().inMachineCoordinates(tool) && !(event.axes >> unsigned(tool) & 1))
       return false;
-    if (isNoWay(ctx) || ctx.find({Action::LengthPositive, Action::LengthNegative}))
+    if (namesAxesAlone(ctx.dialect(), ctx.block()) ||
+        ctx.find({Action::LengthPositive, Action::LengthNegative}))
       return false; // (a tool comes to its first height with its length)
     // No motion was asked for, and none is made for want of a feed: other rules say so.
     const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
     return motion == noGroup || ctx.after().mayBeStated(motion) || ctx.after().may(Fact::FeedSet);
-  }
-
-  /// Whether the block has increments alone, and all of them are 0.
-  static bool isNoWay(const RuleContext &ctx) {
-    const AddressMask increments = ctx.dialect().incrementWords;
-    return ctx.block().hasAny(increments) && llvm::all_of(ctx.block().words, [&](const Word &word) {
-             const AddressMask mask = maskOf(word.address);
-             return (mask & increments) ? word.isNumber() && word.mantissa == 0
-                                        : !(mask & ctx.dialect().axisWords);
-           });
   }
 
   /// The machine profile says where the stock ends, and the whole move is above it.

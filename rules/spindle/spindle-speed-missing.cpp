@@ -79,9 +79,8 @@ private:
               .note(ctx.after().origin.of(StatePart::Speed), "the speed is programmed here");
       return;
     }
-    const bool taps = code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
-                      code.spindle == SpindleNeed::StartsItself;
-    if (!starts && !taps)
+    const bool turnsInCycle = tapsRigidly(code.cycle) || code.spindle == SpindleNeed::StartsItself;
+    if (!starts && !turnsInCycle)
       return;
     // A tap in a driven tool that runs has that one's speed; the spindle needs none.
     if (!starts && code.spindle == SpindleNeed::Any && (ctx.after().liveTool & ~spindleOff))

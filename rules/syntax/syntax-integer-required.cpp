@@ -111,13 +111,12 @@ private:
 
   /// `PART P2.5`: the number of passes of a program that is called by its name.
   void passes(const Item &item, RuleContext &ctx) const {
-    if (codes_ != 1 || item.kind != ItemKind::Call || item.count == noExpression)
+    if (codes_ != 1 || item.kind != ItemKind::Call)
       return;
-    const Expression &count = ctx.block().expressions[item.count];
-    const ExpressionOp &op = ctx.block().operations[count.first];
-    if (count.bad || count.count != 1 || op.op != Op::Number || op.value == std::floor(op.value))
+    const auto count = ctx.block().numberIn(item.count);
+    if (!count || *count == std::floor(*count))
       return;
-    const SourceRange range = ctx.range(count);
+    const SourceRange range = ctx.range(ctx.block().expressions[item.count]);
     if (auto finding = ctx.report(range))
       finding.message("`P{0}` is no number of passes: it has to be whole", ctx.text(range));
   }

@@ -166,17 +166,8 @@ private:
   /// under a condition; null: there is none. A finishing cycle is looked at as a cut.
   static const CodeInfo *turningCycle(const Dialect &dialect, const Block &block) {
     return findReading(dialect, block, [](const CodeInfo &code) {
-      switch (code.cycle) {
-      case CycleKind::RoughTurn:
-      case CycleKind::RoughFace:
-      case CycleKind::PatternRepeat:
-      case CycleKind::GrooveRadial:
-      case CycleKind::GrooveFace:
-      case CycleKind::ThreadMulti:
-        return true;
-      default:
-        return false;
-      }
+      return roughsProfile(code.cycle) || code.cycle == CycleKind::GrooveRadial ||
+             code.cycle == CycleKind::GrooveFace || code.cycle == CycleKind::ThreadMulti;
     });
   }
 

@@ -63,8 +63,7 @@ private:
           continue;
         for (const CodeInfo &code : ctx.dialect().codes)
           if (code.letter == 'G' && code.number == ctx.dialect().codes[index].number &&
-              (code.cycle == CycleKind::RoughTurn || code.cycle == CycleKind::RoughFace ||
-               code.cycle == CycleKind::PatternRepeat))
+              roughsProfile(code.cycle))
             return true;
       }
     }

@@ -60,10 +60,8 @@ private:
         continue;
       const Word *const first = block.find('P');
       roughs = first && first->isNumber() && first->mantissa == flow.first &&
-               findReading(ctx.dialect(), block, [](const CodeInfo &code) {
-                 return code.cycle == CycleKind::RoughTurn || code.cycle == CycleKind::RoughFace ||
-                        code.cycle == CycleKind::PatternRepeat;
-               });
+               findReading(ctx.dialect(), block,
+                           [](const CodeInfo &code) { return roughsProfile(code.cycle); });
     }
     return roughs;
   }

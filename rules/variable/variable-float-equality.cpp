@@ -74,11 +74,7 @@ private:
           return false; // a called program may compute it
         if (item.kind != ItemKind::Assignment || block.keyOf(item.target) != variable)
           continue;
-        const bool plain = item.value < block.expressions.size() &&
-                           !block.expressions[item.value].bad &&
-                           block.expressions[item.value].count == 1 &&
-                           operationsOf(block, block.expressions[item.value])[0].op == Op::Number;
-        if (!plain)
+        if (!block.numberIn(item.value))
           return false;
         given = true;
       }

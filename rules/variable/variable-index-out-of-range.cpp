@@ -177,12 +177,7 @@ private:
       if (definition.kind != ItemKind::Definition || definition.nameBegin != defined->begin)
         continue;
       const auto sizes = block.argumentsOf(definition);
-      if (sizes.size() != 1 || sizes[0].expression >= block.expressions.size())
-        return std::nullopt;
-      const Expression &e = block.expressions[sizes[0].expression];
-      if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number)
-        return std::nullopt;
-      return block.operations[e.first].value;
+      return sizes.size() == 1 ? block.numberIn(sizes[0].expression) : std::nullopt;
     }
     return std::nullopt;
   }
@@ -359,19 +354,13 @@ private:
       const auto sizes = block.argumentsOf(definition);
       for (size_t i = 0; i < indices.size() && i < sizes.size(); ++i) {
         int64_t index = 0;
-        const uint16_t size = sizes[i].expression;
-        if (size >= block.expressions.size())
-          continue;
         const bool written = !indices[i].trim().getAsInteger(10, index);
         if (!written && (sizes.size() > 1 || !computed))
           continue;
         if (!written)
           index = std::llround(*computed);
-        const Expression &e = block.expressions[size];
-        if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number)
-          continue;
-        const double elements = block.operations[e.first].value;
-        if (elements <= 0 || (index >= 0 && double(index) < elements))
+        const auto elements = block.numberIn(sizes[i].expression);
+        if (!elements || *elements <= 0 || (index >= 0 && double(index) < *elements))
           continue;
         const SourceRange range{ctx.source().id(), offset,
                                 offset + uint32_t(array.size() + *close + 2)};
@@ -381,7 +370,7 @@ private:
               .message(sizes.size() == 1
                            ? "`{0}`: the elements of `{1}` are numbered 0 to {2}"
                            : "`{0}`: the elements of `{1}` are numbered 0 to {2} in place {3}",
-                       ctx.text(range), array, int64_t(elements) - 1, i + 1)
+                       ctx.text(range), array, int64_t(*elements) - 1, i + 1)
               .note(ctx.range(definition),
                     written ? std::string("it is defined here")
                             : formatted("it is defined here; the index is {0}", index));

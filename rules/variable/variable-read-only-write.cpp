@@ -24,25 +24,16 @@ public:
           (llvm::StringRef(readOnly).endswith("_") && name.startswith_insensitive(readOnly)))
         if (auto finding = ctx.report(range))
           finding.message("`{0}` can only be read: the control refuses the block", name);
-    const auto number = numberOf(ctx.block(), item);
-    const auto which = number ? rangeOf(*number, ctx.dialect()) : std::nullopt;
+    const auto number = ctx.block().numberIn(item.target);
+    const auto which = number ? rangeOf(int64_t(*number), ctx.dialect()) : std::nullopt;
     if (!which)
       return;
     if (auto finding = ctx.report(range))
       finding.severity(*which < stops_ ? Severity::Error : Severity::Warning)
-          .message("`#{0}` can only be read: the control writes it itself", *number);
+          .message("`#{0}` can only be read: the control writes it itself", int64_t(*number));
   }
 
 private:
-  /// The variable that is written, where its number is in the text.
-  static std::optional<int64_t> numberOf(const Block &block, const Item &item) {
-    const Expression &target = block.expressions[item.target];
-    const bool plain = target.count == 1 && block.operations[target.first].op == Op::Number;
-    if (!plain)
-      return std::nullopt;
-    return int64_t(block.operations[target.first].value);
-  }
-
   /// Which of the table's ranges of variables that are only read holds the number.
   static std::optional<size_t> rangeOf(int64_t number, const Dialect &dialect) {
     const std::vector<int> &ranges = dialect.readOnlyNumbers;

@@ -54,9 +54,8 @@ public:
     const Expression &value = block.expressions[item.value];
     const SourceRange range = ctx.range(value);
     const bool text = !value.bad && value.count == 1 && ctx.text(range).startswith("\"");
-    const bool number = !value.bad && value.count == 1 &&
-                        block.operations[value.first].op == Op::Number &&
-                        ctx.dialect().lexical.commaSeparates && !ctx.text(range).startswith("\"");
+    const bool number = block.numberIn(item.value) && ctx.dialect().lexical.commaSeparates &&
+                        !ctx.text(range).startswith("\"");
     const bool takesNumber = isNumber(type);
     const bool takesText = type == VariableType::String || type == VariableType::Axis;
     if (takesNumber && !text && operands(value, ctx.text(name), ctx))
