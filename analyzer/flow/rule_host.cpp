@@ -15,14 +15,16 @@ FlowInterest RuleHost::interest() const {
   return {dispatcher_.kinds(), dispatcher_.wantsEveryMove()};
 }
 
+static ToldBlock told(const Step &step, const MachineState &before, const MachineState &after) {
+  return {step.unit(), step.block, step.outcome, before, after, step.region().caller};
+}
+
 void RuleHost::executed(const Step &step, bool continues) {
-  const CallSite *const caller = step.region().caller;
+  const ToldBlock block = told(step, step.before, step.live.state);
   if (continues)
-    dispatcher_.dispatchMove(step.unit(), step.block, step.outcome, step.before, step.live.state,
-                             caller, step.stretch);
+    dispatcher_.dispatchMove(block, step.stretch);
   else
-    dispatcher_.dispatch(step.unit(), step.block, step.outcome, step.before, step.live.state,
-                         caller, step.ahead, step.place);
+    dispatcher_.dispatch(block, step.ahead, step.place);
 }
 
 /// A rule says of a block what it said of one that differs in numbers only, unless it is told of
@@ -38,13 +40,12 @@ bool RuleHost::executedAgain(const Step &step) {
 }
 
 void RuleHost::problem(const Step &step, const FlowProblem &problem) {
-  dispatcher_.flowIssue(problem.kind, step.unit(), step.block, step.outcome, problem.before,
-                        problem.after, step.region().caller, problem.where, problem.related);
+  dispatcher_.flowIssue(problem.kind, told(step, problem.before, problem.after), problem.where,
+                        problem.related);
 }
 
 void RuleHost::callReturned(const Step &step, const MachineState &after) {
-  dispatcher_.callReturned(step.unit(), step.block, step.outcome, step.before, after,
-                           step.region().caller);
+  dispatcher_.callReturned(told(step, step.before, after));
 }
 
 void RuleHost::entered(EntryState entry) {
@@ -54,7 +55,7 @@ void RuleHost::entered(EntryState entry) {
 
 void RuleHost::unreached(FileUnit &unit, const Block &block, const Outcome &outcome,
                          const MachineState &before, const MachineState &after) {
-  dispatcher_.dispatch(unit, block, outcome, before, after, nullptr);
+  dispatcher_.dispatch({unit, block, outcome, before, after, nullptr});
 }
 
 void RuleHost::finished(const FileSummary &summary) { dispatcher_.finish(summary, unit_); }

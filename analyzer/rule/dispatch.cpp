@@ -118,28 +118,25 @@ void Dispatcher::listenToCodes(const Listener &listener, const Subscriptions &su
   }
 }
 
-void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
-                         const MachineState &before, const MachineState &after,
-                         const CallSite *caller) {
-  context_.dialect_ = unit.dialect.get();
-  context_.machine_ = &unit.machine;
-  context_.unit_ = &unit;
-  context_.source_ = &unit.source;
-  context_.index_ = &unit.index;
-  context_.block_ = &block;
-  context_.outcome_ = &outcome;
-  context_.before_ = &before;
-  context_.after_ = &after;
-  context_.caller_ = caller;
+void Dispatcher::prepare(const ToldBlock &told) {
+  context_.dialect_ = told.unit.dialect.get();
+  context_.machine_ = &told.unit.machine;
+  context_.unit_ = &told.unit;
+  context_.source_ = &told.unit.source;
+  context_.index_ = &told.unit.index;
+  context_.block_ = &told.block;
+  context_.outcome_ = &told.outcome;
+  context_.before_ = &told.before;
+  context_.after_ = &told.after;
+  context_.caller_ = told.caller;
   context_.ahead_ = nullptr;
   context_.arcWords_.reset();
   context_.arc_.reset();
   context_.startNotes();
 }
 
-void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
-                          const MachineState &before, const MachineState &after,
-                          const CallSite *caller, TextAhead *ahead, uint64_t place) {
+void Dispatcher::dispatch(const ToldBlock &told, TextAhead *ahead, uint64_t place) {
+  const Outcome &outcome = told.outcome;
   if (!(outcome.kinds & kinds_))
     return;
   const KnownModes *const again = shapes_ ? toldAgain(outcome) : nullptr;
@@ -147,7 +144,7 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
     context_.noteUse(again->asleepUse);
     return;
   }
-  prepare(unit, block, outcome, before, after, caller);
+  prepare(told);
   context_.ahead_ = ahead;
   if (again)
     tellAwake(*again, outcome);
@@ -310,19 +307,18 @@ void Dispatcher::reportChanged(const Event &event) {
   }
 }
 
-void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
-                              const MachineState &before, const MachineState &after,
-                              const CallSite *caller, uint64_t stretch) {
+void Dispatcher::dispatchMove(const ToldBlock &told, uint64_t stretch) {
+  const Outcome &outcome = told.outcome;
   if (stretch != stretch_) {
     stretch_ = stretch;
     wake(outcome);
   }
   // Where that is another, they would be awake.
   stateUse |= asleepUse_;
-  const bool still = !atStill_.empty() && before.position == after.position;
+  const bool still = !atStill_.empty() && told.before.position == told.after.position;
   if (awake_.empty() && !still)
     return;
-  prepare(unit, block, outcome, before, after, caller);
+  prepare(told);
   ruleSleep = RuleSleep::No;
   const size_t known = atStill_.size();
   for (size_t i = 0; i < awake_.size();) {
@@ -358,11 +354,9 @@ void Dispatcher::wake(const Outcome &outcome) {
         awake_.push_back({i, listener});
 }
 
-void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
-                           const Outcome &outcome, const MachineState &before,
-                           const MachineState &after, const CallSite *caller, SourceRange where,
+void Dispatcher::flowIssue(FlowIssue issue, const ToldBlock &told, SourceRange where,
                            SourceRange related) {
-  prepare(unit, block, outcome, before, after, caller);
+  prepare(told);
   context_.flowRange_ = where;
   context_.flowRelated_ = related;
   Event event;
@@ -374,13 +368,11 @@ void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
   }
 }
 
-void Dispatcher::callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
-                              const MachineState &before, const MachineState &after,
-                              const CallSite *caller) {
-  prepare(unit, block, outcome, before, after, caller);
+void Dispatcher::callReturned(const ToldBlock &told) {
+  prepare(told);
   Event event;
   event.kind = EventKind::CallReturned;
-  event.code = outcome.flow.code;
+  event.code = told.outcome.flow.code;
   for (const Listener &listener : byKind_[size_t(EventKind::CallReturned)]) {
     context_.rule_ = listener.id;
     listener.rule->on(event, context_);
@@ -391,7 +383,7 @@ void Dispatcher::finish(const FileSummary &summary, FileUnit &unit) {
   static const Block noBlock;
   const Outcome noOutcome;
   const MachineState state = initialState(*unit.dialect);
-  prepare(unit, noBlock, noOutcome, state, state, nullptr);
+  prepare({unit, noBlock, noOutcome, state, state, nullptr});
   for (const Listener &listener : all_) {
     context_.rule_ = listener.id;
     listener.rule->finish(summary, context_);

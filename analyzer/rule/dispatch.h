@@ -9,6 +9,15 @@
 
 namespace ncvet {
 
+/// A block that was executed for one state, as rules are told of it.
+struct ToldBlock {
+  FileUnit &unit;
+  const Block &block;
+  const Outcome &outcome;
+  const MachineState &before, &after;
+  const CallSite *caller;
+};
+
 /// The rules of one run, made and subscribed for one dialect.
 class Dispatcher {
 public:
@@ -20,29 +29,22 @@ public:
   /// Some rule wants to know of moves that only go on as the block before.
   bool wantsEveryMove() const { return !everyBlock_.empty(); }
   /// `place`: a number for file and offset of a block that is executed again; 0: of others.
-  void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
-                const MachineState &before, const MachineState &after, const CallSite *caller,
-                TextAhead *ahead = nullptr, uint64_t place = 0);
+  void dispatch(const ToldBlock &told, TextAhead *ahead = nullptr, uint64_t place = 0);
   /// Runs of blocks are recorded, with all that is looked at in them: see `RuleContext::noteUse`.
   void recordUses() { recordsUses_ = context_.notes_ = true; }
   /// Every rule is told of every event that it listens for, whatever it has said of blocks like it.
   void tellInFull() { shapes_.reset(); }
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
   /// to know of every move, as long as they do. Blocks of one `stretch` differ in numbers only.
-  void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
-                    const MachineState &before, const MachineState &after, const CallSite *caller,
-                    uint64_t stretch);
+  void dispatchMove(const ToldBlock &told, uint64_t stretch);
   /// Whether nobody wants to know of further moves of the stretch.
   bool sleepThrough(uint64_t stretch) const { return stretch == stretch_ && awake_.empty(); }
   /// Whether somebody wants to know of those that lead to where the tool is.
   bool wantsStill() const { return !atStill_.empty(); }
   /// A `FlowIssue` event of its own, outside of what the block itself emitted.
-  void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
-                 const MachineState &before, const MachineState &after, const CallSite *caller,
-                 SourceRange where, SourceRange related);
+  void flowIssue(FlowIssue issue, const ToldBlock &told, SourceRange where, SourceRange related);
   /// A `CallReturned` event at the call: the state before the call and the one that came back.
-  void callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
-                    const MachineState &before, const MachineState &after, const CallSite *caller);
+  void callReturned(const ToldBlock &told);
   void finish(const FileSummary &summary, FileUnit &unit);
   /// What the rules remember at this moment.
   void remember(RuleMemory &memory) const {
@@ -132,8 +134,7 @@ private:
   void reportChanged(const Event &event);
   void wake(const Outcome &outcome);
   void tell(const Outcome &outcome, uint32_t event, llvm::ArrayRef<Listener> listeners);
-  void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
-               const MachineState &before, const MachineState &after, const CallSite *caller);
+  void prepare(const ToldBlock &told);
 
   std::vector<std::unique_ptr<Rule>> rules_;
   std::vector<Listener> all_;
