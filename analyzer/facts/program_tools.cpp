@@ -3,7 +3,9 @@
 #include "analyzer/facts/program_tools.h"
 
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
+
+#include <array>
 
 namespace ncvet {
 
@@ -12,7 +14,20 @@ namespace {
 /// One pass over the blocks of a program.
 class ToolReader {
 public:
-  explicit ToolReader(const Dialect &dialect) : dialect_(dialect) {}
+  explicit ToolReader(const Dialect &dialect) : dialect_(dialect) {
+    for (const CodeInfo &code : dialect.codes)
+      if (ToolPart part; noteSpindle(code, part) && !llvm::is_contained(always_, code.action))
+        always_.push_back(code.action);
+  }
+
+  /// Whether a block of the piece may say more of the tools than is known.
+  bool wants(const TextPiece &piece) const {
+    const bool feedIsKnown = tools_.empty() || tools_.back().cutsFirst != FirstCut::None;
+    return (dialect_.toolChangeByT && piece.hasAny(maskOf(letterAddress('T')))) ||
+           piece.mayName(dialect_, always_) ||
+           (!feedIsKnown && piece.hasAny(maskOf(letterAddress('F')))) ||
+           ((!cut_ || home_ || !feedIsKnown) && piece.mayName(dialect_, cutting));
+  }
 
   void read(const Block &block) {
     const auto codes = codesOf(dialect_, block);
@@ -24,8 +39,7 @@ public:
       tool.follows = std::exchange(cut_, false);
       tool.home = std::exchange(home_, false);
     }
-    if (has(codes, {Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle}) &&
-        !movesOthers(block)) {
+    if (has(codes, cutting) && !movesOthers(block)) {
       cut_ = true;
       home_ = has(codes, {Action::ReferenceReturn, Action::MachineMove});
     }
@@ -35,14 +49,17 @@ public:
     for (const CodeIndex code : codes)
       noteSpindle(dialect_.codes[code], tool);
     tool.cuts |= cut_;
+    if (tool.cutsFirst == FirstCut::None && (block.has(letterAddress('F')) || has(codes, cutting)))
+      tool.cutsFirst = block.has(letterAddress('F')) ? FirstCut::OwnFeed : FirstCut::OtherFeed;
   }
 
   std::vector<ToolPart> take() { return std::move(tools_); }
 
 private:
   using Codes = llvm::ArrayRef<CodeIndex>;
+  static constexpr std::array cutting{Action::Linear, Action::ArcCw, Action::ArcCcw, Action::Cycle};
 
-  bool has(Codes codes, std::initializer_list<Action> actions) const {
+  bool has(Codes codes, llvm::ArrayRef<Action> actions) const {
     return llvm::any_of(codes, [&](CodeIndex code) {
       return llvm::is_contained(actions, dialect_.codes[code].action);
     });
@@ -61,14 +78,23 @@ private:
                                   : has(codes, {Action::ToolChange});
   }
 
-  static void noteSpindle(const CodeInfo &code, ToolPart &tool) {
-    tool.clockwise |= code.action == Action::SpindleCw;
-    tool.counterClockwise |= code.action == Action::SpindleCcw;
-    tool.leftHanded |= code.cycle == CycleKind::TapLeft || code.cycle == CycleKind::RigidTapLeft ||
-                       code.spindle == SpindleNeed::CounterClockwise;
+  /// False: the code says nothing of it.
+  static bool noteSpindle(const CodeInfo &code, ToolPart &tool) {
+    const bool clockwise = code.action == Action::SpindleCw;
+    const bool counterClockwise = code.action == Action::SpindleCcw;
+    const bool leftHanded = code.cycle == CycleKind::TapLeft ||
+                            code.cycle == CycleKind::RigidTapLeft ||
+                            code.spindle == SpindleNeed::CounterClockwise;
+    tool.clockwise |= clockwise;
+    tool.counterClockwise |= counterClockwise;
+    tool.leftHanded |= leftHanded;
+    return clockwise || counterClockwise || leftHanded;
   }
 
   const Dialect &dialect_;
+  /// What is looked for whatever is known: changes, ways home, and what the spindle does.
+  llvm::SmallVector<Action, 8> always_{Action::ReferenceReturn, Action::MachineMove,
+                                       Action::ToolChange};
   std::vector<ToolPart> tools_;
   bool cut_ = false;  ///< the tool in use
   bool home_ = false; ///< it has gone there since
@@ -81,7 +107,8 @@ llvm::ArrayRef<ToolPart> ProgramTools::of(const RuleContext &ctx) const {
   ctx.index().reader(); // the program is looked through, now or before
   return known_.of({ctx.source().id(), program.begin}, [&] {
     ToolReader tools(ctx.dialect());
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+    const auto wants = [&](const TextPiece &piece) { return tools.wants(piece); };
+    for (const Block &block : blocksWhere(ctx.index(), program, wants))
       tools.read(block);
     return tools.take();
   });

@@ -7,15 +7,19 @@
 
 namespace ncvet {
 
+/// What the first cut of a tool runs with.
+enum class FirstCut : uint8_t { None, OwnFeed, OtherFeed };
+
 /// The blocks from one change of the tool to the next one, by their text.
 struct ToolPart {
-  uint32_t begin = 0;            ///< the block of its change
-  bool follows = false;          ///< another tool has cut before it
-  bool home = false;             ///< which then went home
-  bool cuts = false;             ///< by a feed move or a cycle
-  bool clockwise = false;        ///< M03
-  bool counterClockwise = false; ///< M04
-  bool leftHanded = false;       ///< a cycle that wants the spindle to turn so
+  uint32_t begin = 0;                  ///< the block of its change
+  bool follows = false;                ///< another tool has cut before it
+  bool home = false;                   ///< which then went home
+  bool cuts = false;                   ///< by a feed move or a cycle
+  bool clockwise = false;              ///< M03
+  bool counterClockwise = false;       ///< M04
+  bool leftHanded = false;             ///< a cycle that wants the spindle to turn so
+  FirstCut cutsFirst = FirstCut::None; ///< with an F since its change
 };
 
 /// The tools of programs, as their texts say, each program read once. What subprograms do for them

@@ -1,6 +1,5 @@
 // The first cut of a tool runs with the feed of the tool before it.
-#include "analyzer/facts/lookahead.h"
-#include "analyzer/program/wanted_blocks.h"
+#include "analyzer/facts/program_tools.h"
 
 namespace ncvet {
 namespace {
@@ -50,38 +49,13 @@ private:
           .note(tool, "the tool is called here");
   }
 
-  static constexpr std::initializer_list<Action> cutting = {Action::Linear, Action::ArcCw,
-                                                            Action::ArcCcw, Action::Cycle};
-
   /// At least three other tools of the program have a feed of their own at their first cut, and all
   /// but this one.
-  static bool othersHaveTheirOwn(const RuleContext &ctx) {
+  bool othersHaveTheirOwn(const RuleContext &ctx) const {
     constexpr unsigned habit = 3; // tools
-    const Dialect &dialect = ctx.dialect();
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    unsigned own = 0, lacking = 0;
-    bool waits = false; // for the first cut of a tool
-    const AddressMask tool = dialect.toolChangeByT ? maskOf(letterAddress('T')) : 0;
-    const auto wants = [&](const TextPiece &piece) {
-      return piece.hasAny(tool) || (!tool && piece.mayName(dialect, {Action::ToolChange})) ||
-             (waits &&
-              (piece.hasAny(maskOf(letterAddress('F'))) || piece.mayName(dialect, cutting)));
-    };
-    for (const Block &block : blocksWhere(ctx.index(), program, wants)) {
-      if (dialect.toolChangeByT ? block.has(letterAddress('T'))
-                                : findCode(dialect, block, {Action::ToolChange}) != nullptr)
-        waits = true;
-      if (!waits)
-        continue;
-      const bool feeds = block.has(letterAddress('F'));
-      if (!feeds && !findCode(dialect, block, cutting))
-        continue;
-      ++(feeds ? own : lacking);
-      if (lacking > 1)
-        return false;
-      waits = false;
-    }
-    return own >= habit && lacking == 1;
+    return tools_.allButOne(
+        ctx, habit, [](const ToolPart &part) { return part.cutsFirst != FirstCut::None; },
+        [](const ToolPart &part) { return part.cutsFirst == FirstCut::OwnFeed; });
   }
 
   static bool cuts(const Event &event, const RuleContext &ctx) {
@@ -90,6 +64,8 @@ private:
     return event.kind == EventKind::CycleRun ? event.axes != 0 && !taps(ctx.code(event).cycle)
                                              : isFeed(event.motion);
   }
+
+  ProgramTools tools_;
 };
 
 } // namespace
