@@ -24,7 +24,7 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}` turns this tool backwards: all others of the program turn clockwise, "
-                      "and it makes no thread of the left hand",
+                      "and it cuts no left-hand thread",
                       ctx.text(*event.word));
   }
 

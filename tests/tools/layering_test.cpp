@@ -98,10 +98,13 @@ bool isLibraryPath(std::string_view path) {
 /// Ids of `--dialect`. Code asks the dialect's table and never for its name: a new control of a
 /// known family is a JSON file and no C++.
 const std::set<std::string, std::less<>> &dialectIds() {
-  static const std::set<std::string, std::less<>> ids = {
-      "iso-base",       "iso-milling", "iso-turning", "haas-lathe", "haas-mill",
-      "haas-ngc-lathe", "fanuc-0t",    "fanuc-0m",    "nct-104t",   "nct-104m",
-      "din66025",       "sinumerik",   "mefi",        "ecs",        "linuxcnc"};
+  static const std::set<std::string, std::less<>> ids = [] {
+    std::set<std::string, std::less<>> names;
+    for (const auto &table :
+         fs::directory_iterator(fs::path(ncvet::places::sourceFolder()) / "rulesets/dialects"))
+      names.insert(table.path().stem().string());
+    return names;
+  }();
   return ids;
 }
 
