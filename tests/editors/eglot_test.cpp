@@ -2,6 +2,7 @@
 // is no Emacs, or no Eglot.
 #include "tests/editors/editor_journeys.h"
 #include "tests/support/places.h"
+#include "tests/support/thorough.h"
 
 #include "gtest/gtest.h"
 
@@ -40,7 +41,7 @@ class EglotWith : public testing::TestWithParam<std::string> {};
 /// and after every edit; fixes end their findings.
 TEST_P(EglotWith, DoesWhatAUserDoes) {
   EditorPlan plan(GetParam());
-  addPrograms(plan, "open", GetParam(), 4);
+  addPrograms(plan, "open", GetParam(), tried(2, 4));
   addPrograms(plan, "edit", GetParam(), 2);
   addPrograms(plan, "fix", GetParam(), 40);
   addJourneys(plan, GetParam());

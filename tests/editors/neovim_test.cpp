@@ -1,6 +1,7 @@
 // Programs in Neovim with its client as lsp/editors/ sets it up. Skipped where there is no Neovim.
 #include "tests/editors/editor_journeys.h"
 #include "tests/support/places.h"
+#include "tests/support/thorough.h"
 
 #include "gtest/gtest.h"
 
@@ -28,7 +29,7 @@ class NeovimWith : public testing::TestWithParam<std::string> {};
 /// and after every edit; fixes and comments end their findings; hovers tell the machine's state.
 TEST_P(NeovimWith, DoesWhatAUserDoes) {
   EditorPlan plan(GetParam());
-  addPrograms(plan, "open", GetParam(), 8);
+  addPrograms(plan, "open", GetParam(), tried(3, 8));
   addPrograms(plan, "edit", GetParam(), 2);
   addPrograms(plan, "fix", GetParam(), 40);
   addPrograms(plan, "allow", GetParam(), 8);

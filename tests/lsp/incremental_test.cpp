@@ -4,6 +4,7 @@
 #include "lsp/server/checks.h"
 #include "tests/support/places.h"
 #include "tests/support/random_edits.h"
+#include "tests/support/thorough.h"
 
 #include "gtest/gtest.h"
 
@@ -158,8 +159,9 @@ const Callers allCallers[] = {
 
 TEST(Incremental, EditsOfProgramsThatCallOneAnotherGiveWhatAFreshCheckGives) {
   for (const Callers &callers : allCallers)
-    for (unsigned seed = 0; seed < 3; ++seed)
-      editAndCompare(callers.dialect, callers.path, callingOneAnother(callers, 24), 40, seed);
+    for (unsigned seed = 0; seed < test::tried(1, 3); ++seed)
+      editAndCompare(callers.dialect, callers.path, callingOneAnother(callers, 24),
+                     test::tried(25, 40), seed);
 }
 
 TEST(Incremental, CallsWhoseTextIsTheSameAreNotFollowedAgain) {
@@ -221,8 +223,10 @@ TEST(Incremental, SeveralEditsAtATimeGiveWhatAFreshCheckGives) {
 class MovesGoOn : public ::testing::TestWithParam<const char *> {};
 
 TEST_P(MovesGoOn, AfterAnotherToolFeedOrWayHere) {
-  const std::string text = machining(400);
+  const std::string text = machining(test::tried(150, 400));
   const size_t firstCut = text.find("G01 Z-1.");
+  Edited edited(GetParam(), "/nowhere/O0001.nc");
+  ASSERT_EQ(edited.difference(text), "");
   for (const char *added : {"T9 M06\n",
                             "F77.\n",
                             "S99\n",
@@ -251,8 +255,6 @@ TEST_P(MovesGoOn, AfterAnotherToolFeedOrWayHere) {
                             "%\n",
                             "G22 X99. Y99. Z9. I-9. J-9. K-9. P0\n"})
     for (const size_t at : {firstCut, text.find("X10. Y10.\n", text.size() / 3)}) {
-      Edited edited(GetParam(), "/nowhere/O0001.nc");
-      ASSERT_EQ(edited.difference(text), "");
       std::string changed = text;
       changed.insert(at, added);
       EXPECT_EQ(edited.difference(changed), "") << added << " at " << at;
@@ -559,7 +561,7 @@ TEST_P(RealPrograms, EditsGiveWhatAFreshCheckGives) {
     if (entry.is_regular_file() && entry.file_size() < 300000)
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  constexpr size_t most = 12;
+  const size_t most = test::tried(6, 12);
   const size_t step = std::max<size_t>(1, files.size() / most);
   for (size_t i = 0; i < files.size(); i += step) {
     std::ifstream in(files[i], std::ios::binary);

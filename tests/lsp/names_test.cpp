@@ -134,44 +134,45 @@ std::vector<unsigned> linesOf(const test::MarkedText &text) {
   return lines;
 }
 
-using Lines = std::vector<unsigned>;
+using LineNumbers = std::vector<unsigned>;
 
 TEST(Names, BlocksAndLocalVariablesBelongToTheirProgram) {
   EXPECT_EQ(linesOf(test::markedText("fanuc-0m", "O1\nN1<|>0 #1=1\nGOTO 10\nM30\n"
                                                  "O2\nN10 #1=2\nM99\n")),
-            (Lines{2, 3}));
-  EXPECT_EQ(linesOf(test::markedText("fanuc-0m", "O1\n#<|>1=1\nM30\nO2\n#1=2\nM99\n")), (Lines{2}));
+            (LineNumbers{2, 3}));
+  EXPECT_EQ(linesOf(test::markedText("fanuc-0m", "O1\n#<|>1=1\nM30\nO2\n#1=2\nM99\n")),
+            (LineNumbers{2}));
   EXPECT_EQ(linesOf(test::markedText("fanuc-0m", "O1\n#<|>100=1\nM30\nO2\n#100=2\nM99\n")),
-            (Lines{2, 5}));
+            (LineNumbers{2, 5}));
 }
 
 TEST(Names, AReturnToABlockNamesOneOfTheCaller) {
   EXPECT_EQ(linesOf(test::markedText("fanuc-0m", "O1\nM98 P3\nN<|>10 M30\nO2\nN10 M30\n"
                                                  "O3\nN10 M99 P10\n")),
-            (Lines{3, 7}));
-  EXPECT_EQ(linesOf(test::markedText("fanuc-0m", "O1\nN<|>10 G0\nM99 P10\n")), (Lines{2, 3}));
+            (LineNumbers{3, 7}));
+  EXPECT_EQ(linesOf(test::markedText("fanuc-0m", "O1\nN<|>10 G0\nM99 P10\n")), (LineNumbers{2, 3}));
 }
 
 TEST(Names, ASubprogramBetweenBracketsHasVariablesOfItsOwn) {
   EXPECT_EQ(linesOf(test::markedText("linuxcnc", "o100 sub\n#<a> = 1\no100 endsub\n"
                                                  "#<<|>a> = 2\n(x)\n#3 = #<a>\n")),
-            (Lines{4, 6}));
+            (LineNumbers{4, 6}));
 }
 
 TEST(Names, OnlyADefinitionMakesANameTheProgramsOwn) {
   EXPECT_EQ(linesOf(test::markedText("sinumerik", "%_N_A_MPF\nDEF REAL DEEP\nDE<|>EP=1\nM30\n"
                                                   "%_N_B_SPF\nDEEP=2\nM17\n")),
-            (Lines{2, 3}));
+            (LineNumbers{2, 3}));
   EXPECT_EQ(linesOf(test::markedText("sinumerik", "%_N_A_MPF\nDE<|>EP=1\nM30\n"
                                                   "%_N_B_SPF\nDEEP=2\nM17\n")),
-            (Lines{2, 5}));
+            (LineNumbers{2, 5}));
 }
 
 TEST(Names, ALabelIsTheSameInAllItsSpellings) {
   EXPECT_EQ(linesOf(test::markedText("ecs", "[BE<|>GIN: here] G0 X1\n<JMP:[ begin ]>\n")),
-            (Lines{1, 2}));
+            (LineNumbers{1, 2}));
   EXPECT_EQ(linesOf(test::markedText("sinumerik", "Again: G0 X1\nGOTOB AG<|>AIN\n")),
-            (Lines{1, 2}));
+            (LineNumbers{1, 2}));
 }
 
 TEST(Names, AtAPlaceBeforeInAndAfterTheName) {

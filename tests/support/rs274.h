@@ -61,8 +61,10 @@ public:
     writeTools(table, tools);
     const std::string out = (files.path() / "out").string(), err = (files.path() / "err").string();
     const std::string in = folder.string();
-    const llvm::StringRef words[] = {"env", "-C",      in,   program_, "-g",
-                                     "-v",  variables, "-t", table,    program};
+    // It keeps its tools in a file of its user's home: one of its own, whatever else runs.
+    const std::string home = "HOME=" + files.path().string();
+    const llvm::StringRef words[] = {"env", "-C",      in,   home,  program_, "-g",
+                                     "-v",  variables, "-t", table, program};
     const llvm::Optional<llvm::StringRef> streams[] = {llvm::StringRef(""), llvm::StringRef(out),
                                                        llvm::StringRef(err)};
     Rs274Run run;

@@ -5,9 +5,9 @@
 #include "analyzer/flow/analyze.h"
 #include "analyzer/rule/rule_table.h"
 #include "formats/dialect/loader.h"
+#include "tests/support/temporary_folder.h"
 
 #include "gtest/gtest.h"
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -73,27 +73,6 @@ inline RuleSelection only(const Dialect &dialect, size_t rule) {
   selection.enabled[rule] = selection.asked[rule] = true;
   return selection;
 }
-
-/// A folder that is removed when the object goes.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "ncvet-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()))
-      path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty())
-      std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder &) = delete;
-  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
-  const std::filesystem::path &path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
 
 /// A control with its machine's profile; without a dialect where one of them does not load.
 struct ProfiledMachine {

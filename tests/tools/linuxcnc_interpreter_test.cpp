@@ -4,6 +4,7 @@
 #include "tests/support/linuxcnc_comparison.h"
 #include "tests/support/linuxcnc_generator.h"
 #include "tests/support/places.h"
+#include "tests/support/thorough.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -85,7 +86,9 @@ TEST_F(LinuxCncInterpreter, RealProgramsMoveAsTracedAndAreJudgedAlike) {
   Tally tally;
   Verdicts verdicts;
   std::optional<Workshop> shop;
-  for (const fs::path &program : programs) {
+  const size_t step = tried(4, 1);
+  for (size_t i = 0; i < programs.size(); i += step) {
+    const fs::path &program = programs[i];
     if (!shop || shop->original() != program.parent_path())
       shop.emplace(program.parent_path());
     shop->with(program.filename(), withStart(textOf(program)), [&] {
@@ -117,7 +120,7 @@ TEST_F(LinuxCncInterpreter, SmallProgramsMoveAsTracedAndAreJudgedAlike) {
 /// A line of figures for each theme; the program of a seed whose motions differ can be printed by
 /// setting NCVET_RS274_SEED.
 TEST_F(LinuxCncInterpreter, GeneratedProgramsMoveAsTraced) {
-  constexpr unsigned programsOfTheme = 20, mixedPrograms = 60;
+  const unsigned programsOfTheme = tried(6, 20), mixedPrograms = tried(20, 60);
   const char *only = std::getenv("NCVET_RS274_SEED");
   Tally all;
   const TemporaryFolder folder;
@@ -153,7 +156,7 @@ TEST_F(LinuxCncInterpreter, GeneratedProgramsMoveAsTraced) {
 TEST_F(LinuxCncInterpreter, CompensatedContoursAreFollowedAndJudgedAlike) {
   constexpr size_t compensation = LinuxCncGenerator::themeCount - 1;
   static_assert(std::string_view(LinuxCncGenerator::themes[compensation]) == "compensation");
-  constexpr unsigned programs = 400;
+  const unsigned programs = tried(150, 400);
   const char *only = std::getenv("NCVET_RS274_SEED");
   Tally tally;
   Verdicts verdicts;

@@ -7,6 +7,7 @@
 #include "lsp/features/same_block.h"
 #include "tests/support/places.h"
 #include "tests/support/rule_pages.h"
+#include "tests/support/thorough.h"
 
 #include <random>
 
@@ -224,14 +225,14 @@ std::string randomCalls(unsigned seed) {
 
 std::vector<Sample> randomPrograms() {
   std::vector<Sample> all;
-  for (unsigned seed = 0; seed < 60; ++seed)
+  for (unsigned seed = 0; seed < tried(15, 60); ++seed)
     for (const char *dialect : {"fanuc-0m", "haas-mill"})
       all.push_back({dialect, "calls " + std::to_string(seed), randomCalls(seed), ""});
-  for (unsigned seed = 0; seed < 120; ++seed)
+  for (unsigned seed = 0; seed < tried(30, 120); ++seed)
     for (const char *dialect : {"fanuc-0m", "haas-mill", "nct-104m", "linuxcnc", "fanuc-mill"})
       if (seed % 5 == 0 || std::string(dialect) == "haas-mill")
         all.push_back({dialect, "random " + std::to_string(seed), randomMilling(seed), ""});
-  for (unsigned seed = 0; seed < 200; ++seed)
+  for (unsigned seed = 0; seed < tried(50, 200); ++seed)
     for (const char *dialect :
          {"fanuc-0m", "haas-mill", "nct-104m", "linuxcnc", "sinumerik", "fanuc-0t"})
       if (seed % 4 == 0 || std::string(dialect) == "fanuc-0m")

@@ -3,12 +3,11 @@
 #include "formats/text/formatted.h"
 #include "formats/text/source_set.h"
 #include "formats/text/text_change.h"
+#include "tests/support/temporary_folder.h"
 
 #include "llvm/Support/FileSystem.h"
-#include "llvm/Support/raw_ostream.h"
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 using namespace ncvet;
@@ -34,27 +33,6 @@ std::pair<uint32_t, uint32_t> at(const SourceFile &file, uint32_t offset) {
 }
 
 using LineAndColumn = std::pair<uint32_t, uint32_t>;
-
-/// A folder that is removed with its files when the test ends.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    if (llvm::sys::fs::createUniqueDirectory("ncvet-text", path_))
-      std::abort();
-  }
-  ~TemporaryFolder() { llvm::sys::fs::remove_directories(path_); }
-  std::string write(llvm::StringRef name, llvm::StringRef text) const {
-    std::string path = (path_ + "/" + name).str();
-    std::error_code error;
-    llvm::raw_fd_ostream(path, error) << text;
-    EXPECT_FALSE(error);
-    return path;
-  }
-  std::string path() const { return path_.str().str(); }
-
-private:
-  llvm::SmallString<128> path_;
-};
 
 } // namespace
 
@@ -435,7 +413,7 @@ TEST(EditTest, ApplyingEditsOneByOneFromTheBackGivesTheSameText) {
 }
 
 TEST(SourceSetTest, OpensFilesAndNumbersThem) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   SourceSet set;
   const SourceFile &first = set.add("stdin.nc", "G0\n");
   auto second = set.open(folder.write("part.nc", "G1 X1\n"), "part.nc");
@@ -449,11 +427,11 @@ TEST(SourceSetTest, OpensFilesAndNumbersThem) {
 }
 
 TEST(SourceSetTest, RefusesWhatIsNotAFileOfProgramsInOneLine) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   SourceSet set;
-  EXPECT_EQ(llvm::toString(set.open(folder.path(), "programs").takeError()),
+  EXPECT_EQ(llvm::toString(set.open(folder.path().string(), "programs").takeError()),
             "cannot read programs: it is a folder");
-  EXPECT_EQ(llvm::toString(set.open(folder.path() + "/none.nc", "none.nc").takeError()),
+  EXPECT_EQ(llvm::toString(set.open((folder.path() / "none.nc").string(), "none.nc").takeError()),
             "cannot read none.nc: No such file or directory");
   EXPECT_EQ(llvm::toString(set.open("/dev/zero").takeError()),
             "cannot read /dev/zero: it is not a regular file");
@@ -461,7 +439,7 @@ TEST(SourceSetTest, RefusesWhatIsNotAFileOfProgramsInOneLine) {
 }
 
 TEST(SourceSetTest, RefusesAFileOfFourGibibytes) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.write("big.nc", "");
   int descriptor = 0;
   ASSERT_FALSE(llvm::sys::fs::openFileForWrite(path, descriptor, llvm::sys::fs::CD_OpenExisting));
@@ -476,7 +454,7 @@ TEST(SourceSetTest, RefusesAFileOfFourGibibytes) {
 }
 
 TEST(SourceSetTest, ForgottenPagesAreReadAgainWhenAskedFor) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   std::string text;
   while (text.size() < (9u << 20))
     text += "N10 G1 X1.5 Y2.5\n";
