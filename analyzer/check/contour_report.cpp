@@ -1,7 +1,7 @@
 // The compensated contours of a program, with the largest tool radius for which each stays whole.
 #include "analyzer/check/contour_report.h"
 
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "interp/geometry/contour_fit.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 // Motion record: recorded by following the program, compared block by block.
 #include "analyzer/check/motion_record.h"
 
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "formats/text/crash_guard.h"
 
 #include "llvm/ADT/Hashing.h"

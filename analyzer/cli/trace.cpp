@@ -1,8 +1,8 @@
 // `ncvet trace`: the motions of a program, one JSON object a line.
 #include "analyzer/cli/trace.h"
 
-#include "analyzer/flow/trace.h"
 #include "analyzer/setup/session.h"
+#include "analyzer/trace/trace.h"
 #include "formats/text/json_text.h"
 #include "formats/text/plain_text.h"
 

@@ -1,7 +1,7 @@
 // Programs as reports show them whole: their colours and the paths of their tools.
 #include "analyzer/cli/views.h"
 
-#include "analyzer/flow/tool_path_trace.h"
+#include "analyzer/trace/tool_path_trace.h"
 #include "formats/text/crash_guard.h"
 #include "lsp/features/showing/semantic_tokens.h"
 

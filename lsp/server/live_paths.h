@@ -1,8 +1,8 @@
 // The paths of programs that are being edited, as `ncvet/path` tells them.
 #pragma once
 
-#include "analyzer/flow/tool_path_memory.h"
 #include "analyzer/program/lookups.h"
+#include "analyzer/trace/tool_path_memory.h"
 #include "lsp/server/checks.h"
 #include "lsp/server/file_stamp.h"
 

@@ -1,5 +1,5 @@
 // Fuzzes the trace: any bytes, in any dialect, give motions that end, the same ones each time.
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sessions.h"
 

@@ -1,5 +1,5 @@
 // Formatting and renumbering: the text changes, what the control does never.
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "lsp/features/same_block.h"
 #include "lsp/features/writing/format.h"
 #include "lsp/features/writing/renumber.h"

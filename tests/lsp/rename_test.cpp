@@ -1,5 +1,5 @@
 // Renaming: the new text moves the machine as the old one does, or there is none.
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "formats/text/edit.h"
 #include "lsp/features/writing/rename.h"
 #include "tests/support/marked_text.h"

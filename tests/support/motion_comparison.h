@@ -1,7 +1,7 @@
 // Compares the motions that ncvet traces with those that LinuxCNC's interpreter asks for.
 #pragma once
 
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "tests/support/rs274.h"
 
 #include "llvm/Support/Format.h"

@@ -1,7 +1,7 @@
 // The motions of a program as lines of text, for tests.
 #pragma once
 
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "tests/support/run_program.h"
 
 namespace ncvet::test {

@@ -1,6 +1,6 @@
 // Texts that nobody would write, and that somebody half types: each of them is checked in a time
 // that grows with its length. Where a quadratic check would take minutes, some seconds are allowed.
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "formats/text/program_file.h"
 #include "tests/support/run_program.h"
 

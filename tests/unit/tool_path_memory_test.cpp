@@ -1,7 +1,7 @@
 // The path of a program that is being edited: the same as if all of it were followed anew, and what
 // is told to have changed is what has.
-#include "analyzer/flow/tool_path_memory.h"
-#include "analyzer/flow/tool_path_trace.h"
+#include "analyzer/trace/tool_path_memory.h"
+#include "analyzer/trace/tool_path_trace.h"
 #include "tests/support/random_edits.h"
 #include "tests/support/run_program.h"
 

@@ -1,5 +1,5 @@
 // Tool paths for reports: motions with their modes, operations, and where a path ends.
-#include "analyzer/flow/tool_path_trace.h"
+#include "analyzer/trace/tool_path_trace.h"
 #include "tests/support/run_program.h"
 
 #include "llvm/Support/Path.h"

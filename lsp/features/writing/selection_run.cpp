@@ -2,7 +2,7 @@
 #include "lsp/features/writing/selection_run.h"
 
 #include "analyzer/flow/activation.h"
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/Hashing.h"

@@ -1,7 +1,7 @@
 // The tool path of a program for reports that draw it.
-#include "analyzer/flow/tool_path_trace.h"
+#include "analyzer/trace/tool_path_trace.h"
 
-#include "analyzer/flow/path_collector.h"
+#include "analyzer/trace/path_collector.h"
 
 namespace ncvet {
 

@@ -1,5 +1,5 @@
 // Which moves of a tool path are made under the same modes, and which are one operation.
-#include "analyzer/flow/path_sections.h"
+#include "analyzer/trace/path_sections.h"
 
 #include "analyzer/flow/activation.h"
 #include "analyzer/program/block_reading.h"

@@ -1,5 +1,5 @@
 // The motions that a program makes, from its first block to its end.
-#include "analyzer/flow/tracer.h"
+#include "analyzer/trace/tracer.h"
 
 #include "analyzer/flow/engine.h"
 #include "analyzer/program/project.h"

@@ -1,7 +1,7 @@
 // The lists of a tool path: cut at a move, and put together again with what has become of the rest.
-#include "analyzer/flow/path_lists.h"
+#include "analyzer/trace/path_lists.h"
 
-#include "analyzer/flow/path_collector.h"
+#include "analyzer/trace/path_collector.h"
 
 namespace ncvet {
 

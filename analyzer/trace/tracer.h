@@ -3,7 +3,7 @@
 
 #include "analyzer/flow/cycle_contour.h"
 #include "analyzer/flow/flow_listener.h"
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/trace.h"
 #include "interp/path/compensated_path.h"
 
 namespace ncvet {

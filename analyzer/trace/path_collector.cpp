@@ -1,5 +1,5 @@
 // Takes the motions of a trace as moves of a tool path.
-#include "analyzer/flow/path_collector.h"
+#include "analyzer/trace/path_collector.h"
 
 #include "analyzer/flow/activation.h"
 

@@ -1,9 +1,9 @@
 // The tool path of a program that is being edited.
-#include "analyzer/flow/tool_path_memory.h"
+#include "analyzer/trace/tool_path_memory.h"
 
 #include "analyzer/flow/engine.h"
-#include "analyzer/flow/path_lists.h"
-#include "analyzer/flow/tool_path_trace.h"
+#include "analyzer/trace/path_lists.h"
+#include "analyzer/trace/tool_path_trace.h"
 
 namespace ncvet {
 

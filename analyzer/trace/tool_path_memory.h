@@ -2,8 +2,8 @@
 // executed again.
 #pragma once
 
-#include "analyzer/flow/path_collector.h"
-#include "analyzer/flow/tracer.h"
+#include "analyzer/trace/path_collector.h"
+#include "analyzer/trace/tracer.h"
 #include "formats/text/text_change.h"
 
 #include <memory>

@@ -1,8 +1,8 @@
 // Takes the motions of a trace as moves of a tool path.
 #pragma once
 
-#include "analyzer/flow/path_sections.h"
-#include "analyzer/flow/trace.h"
+#include "analyzer/trace/path_sections.h"
+#include "analyzer/trace/trace.h"
 #include "formats/text/line_cursor.h"
 #include "formats/text/source_set.h"
 
