@@ -41,7 +41,7 @@ struct KnownCodes {
 
   void add(const CodeInfo &code) {
     ++all;
-    // `haas-lathe.md, L560` and `fanuc-i.md`: the book is what comes before a comma; `1014-1020`.
+    // `operator's manual, L560`: the book is what comes before the lines; `1014-1020`: lines alone.
     const llvm::StringRef book = llvm::StringRef(code.source).split(", L").first;
     const bool lines = !book.empty() && book[0] >= '0' && book[0] <= '9';
     ++bySource[book.empty() ? "no source" : lines ? "lines of its manual" : book.str()];
