@@ -369,7 +369,8 @@ constexpr Field dialectFields[] = {
     field<&Dialect::machine>("machine", name("machine", machineNames), "kind of machine",
                              "\"lathe\"")
         .mustBeThere(),
-    elsewhere("source", text, "the book whose lines the sources of codes name", "\"operator's manual, 1986\"")
+    elsewhere("source", text, "the book whose lines the sources of codes name",
+              "\"operator's manual, 1986\"")
         .ofEachFile(),
     flag<&Dialect::toolChangeByT>("toolChangeByT",
                                   "the T word itself changes the tool; otherwise a code does"),
