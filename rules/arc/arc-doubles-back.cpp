@@ -1,10 +1,12 @@
 // An arc that turns back on itself at both ends: the other direction of turning was meant.
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/direction_before.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/circle.h"
+#include "interp/geometry/direction.h"
 
 #include <cmath>
 #include <map>
@@ -47,6 +49,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (turnsBelowAxis(event, ctx))
+      return;
     // In a chain of arcs under one code none is turned otherwise than its neighbours.
     const ArcWords &words = ctx.arcWords();
     if (event.code == noCode || !event.certain || !ctx.codeWord(event) || words.foreign ||
@@ -83,6 +87,45 @@ public:
   }
 
 private:
+  /// Where the work turns: from X0 or more to X0 or more, and in between far below the axis. Most
+  /// arcs of turning have their centre further from the axis than that.
+  static bool turnsBelowAxis(const Event &event, RuleContext &ctx) {
+    constexpr double far = 0.5; // mm
+    const auto &axes = ctx.arcWords().axes;
+    const size_t x = axes[0] == Axis::X ? 0 : 1;
+    if (axes[x] != Axis::X || axes[1 - x] != Axis::Z)
+      return false;
+    const ArcGeometry &arc = ctx.arc();
+    if (!arc.start || !arc.end || !event.certain)
+      return false;
+    const bool clockwise = event.motion == MotionKind::ArcCw;
+    const auto centre =
+        arc.radius ? centreByRadius(*arc.start, *arc.end, *arc.radius, clockwise) : arc.centre();
+    if (!centre)
+      return false;
+    const double radius = distance(*centre, *arc.end);
+    if ((*centre)[x] - radius > -far || std::fabs(radius - distance(*centre, *arc.start)) > far ||
+        (*arc.start)[x] < -1e-3 || (*arc.end)[x] < -1e-3 ||
+        !turnsWork(ctx.dialect(), ctx.after()) || ctx.before().may(Fact::UnknownCode))
+      return false;
+    Point lowest = *centre;
+    lowest[x] -= radius;
+    // On the way round the lowest place comes before the end.
+    const Vector from = *arc.start - *centre, to = *arc.end - *centre, low = lowest - *centre;
+    const double sense = clockwise ? -1 : 1;
+    const auto angle = [&](const Vector &at) {
+      const double turned = sense * angleBetween(from, at);
+      return turned < 0 ? turned + fullTurn : turned;
+    };
+    if (angle(low) >= angle(to))
+      return false;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.message("`{0}` leads this arc {1} below the axis of the work: it is turned the other "
+                      "way round",
+                      ctx.code(event).name, shortNumber(radius - (*centre)[x]));
+    return true;
+  }
+
   AddressMask planeWords(const RuleContext &ctx) const {
     AddressMask words = 0;
     for (const Axis axis : ctx.arcWords().axes)

@@ -9,6 +9,9 @@
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
+#include <array>
+#include <optional>
+
 namespace ncvet {
 namespace {
 
@@ -252,7 +255,19 @@ private:
         (state.spindle != spindleCw && state.spindle != spindleCcw) ||
         state.may(Fact::UnknownCode) || !start.known() || !change.known() || start.file != file ||
         change.file != file || start.begin >= change.begin || ctx.block().begin < change.begin ||
-        !memory().onceOfChange.speaks(change, ctx) || !startsAfterOthers(change.begin, ctx))
+        !memory().onceOfChange.speaks(change, ctx))
+      return;
+    if (startsBeforeOnly(start.begin, change.begin, ctx)) {
+      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+        finding
+            .message("`{0}` cuts with a spindle that was started before the tool change, which "
+                     "stops it on most machines: nothing starts it again",
+                     ctx.code(event).name)
+            .note(start, "the spindle is started here")
+            .note(change, "the tool is changed here");
+      return;
+    }
+    if (!startsAfterOthers(change.begin, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding
@@ -261,6 +276,35 @@ private:
                    ctx.code(event).name)
           .note(change, "the tool is changed here");
   }
+
+  /// The one start of the spindle in the program is in a block before its first tool change, at
+  /// `change`.
+  bool startsBeforeOnly(uint32_t start, uint32_t change, const RuleContext &ctx) const {
+    const ProgramInfo &program = ctx.index().programAt(change);
+    const auto &places = order_.of({ctx.source().id(), program.begin}, [&] {
+      std::array<std::optional<uint32_t>, 3> found; // first change, first and second start
+      const std::initializer_list<Action> starts = {Action::SpindleCw, Action::SpindleCcw};
+      const auto wants = [&](const TextPiece &piece) {
+        return piece.mayName(ctx.dialect(),
+                             {Action::ToolChange, Action::SpindleCw, Action::SpindleCcw});
+      };
+      for (const Block &block : blocksWhere(ctx.index(), program, wants)) {
+        if (!found[0] && findCode(ctx.dialect(), block, {Action::ToolChange}))
+          found[0] = block.begin;
+        if (found[1] && !found[2] && findCode(ctx.dialect(), block, starts))
+          found[2] = block.begin;
+        if (!found[1] && findCode(ctx.dialect(), block, starts))
+          found[1] = block.begin;
+      }
+      return found;
+    });
+    return places[0] && places[1] && !places[2] && *places[0] <= change &&
+           *places[1] < *places[0] && *places[1] <= start && start < *places[0] &&
+           ctx.source().lines().lineBegin(change) <= *places[0];
+  }
+
+  /// By file and program.
+  TextAnswers<std::pair<FileId, uint32_t>, std::array<std::optional<uint32_t>, 3>> order_;
 
   /// After every tool change of the program, and there are others than that of the block which
   /// holds `change`, the spindle is started; after this one a speed is given.

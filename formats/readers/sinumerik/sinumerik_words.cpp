@@ -93,6 +93,11 @@ void SinumerikScanner::scanLetter() {
         at_ = begin;
         return scanExtended(letter, begin);
       }
+      // `M1R=5`: no word is `R` alone, so that all of it is a name.
+      if (after < end_ && (*after | 32) == 'r' && isEquals(afterBlanks(after + 1))) {
+        at_ = begin;
+        return scanAssignment(begin);
+      }
       // An exponent is part of the number.
       if (!(after + 1 < end_ && (after[0] | 32) == 'e' && (after[1] | 32) == 'x')) {
         at_ = after;
@@ -100,6 +105,12 @@ void SinumerikScanner::scanLetter() {
       }
     }
   }
+  scanBehindLetter(letter, begin);
+}
+
+/// What comes after a letter, where no plain number does.
+void SinumerikScanner::scanBehindLetter(char letter, const char *begin) {
+  const AddressId address = letterAddress(letter);
   const char *const value = afterBlanks(at_);
   if (isEquals(value)) {
     at_ = value + 1;
