@@ -36,11 +36,11 @@ public:
         ctx.after().may(Fact::UnknownCode)) {
       return sleepInShape();
     }
-    const CodeInfo &code = ctx.code(event);
+    const CodeInfo &code = cutting(event, ctx);
     if (isSet)
       return leadAsFeed(event, code, ctx);
     // A modal cycle without axis words sets modes only.
-    if (event.kind == EventKind::CycleRun && !event.axes && code.group != noGroup &&
+    if (event.kind == EventKind::CycleRun && !event.axes && ctx.code(event).group != noGroup &&
         !code.firesOnEveryBlock)
       return;
     if (!code.needsFeed ||
@@ -71,6 +71,15 @@ public:
   }
 
 private:
+  /// What runs: at the places of a pattern that is the cycle in force.
+  static const CodeInfo &cutting(const Event &event, const RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    const CodeInfo *const active = code.cycle == CycleKind::Pattern
+                                       ? ctx.after().activeCode(ctx.dialect(), StandardGroup::Cycle)
+                                       : nullptr;
+    return active && active->action == Action::Cycle ? *active : code;
+  }
+
   /// A part of the block that is no word holds an F and its value.
   static bool mayNameFeed(const RuleContext &ctx) {
     return llvm::any_of(ctx.block().issues, [&](const SyntaxIssue &issue) {

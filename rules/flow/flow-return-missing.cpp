@@ -30,8 +30,10 @@ public:
                       ctx.text(ctx.flowRange()), back);
     else
       finding
-          .message("the called program ends without `{0}`: some controls stop here, others return",
-                   back)
+          .message("the called program ends without `{0}`: {1}", back,
+                   ctx.dialect().endReturns
+                       ? "some versions of the control stop here, others return"
+                       : "the control does not find back")
           .fix(FixSafety::Unsafe, "insert `" + back + "` after this block",
                TextEdit{{ctx.flowRange().file, ctx.flowRange().end, ctx.flowRange().end},
                         "\n" + back});

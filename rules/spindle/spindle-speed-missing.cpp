@@ -86,8 +86,9 @@ private:
     if (!starts && code.spindle == SpindleNeed::Any && (ctx.after().liveTool & ~spindleOff))
       return;
     // A cycle that has a word of its own for the speed lacks none: its parameters are another rule.
-    if (!starts && llvm::any_of(code.words, [](const WordSpec &spec) {
-          return spec.role == Role::Speed && spec.need != Need::Optional;
+    if (!starts && llvm::any_of(code.words, [&](const WordSpec &spec) {
+          return spec.role == Role::Speed &&
+                 (spec.need != Need::Optional || wordFor(ctx.block(), spec));
         }))
       return;
     // The S may come before the cut, where it is asked for again.

@@ -83,7 +83,7 @@ private:
   bool scanStart(char letter);
   void scanDistant(char letter, const char *begin);
   void scanLetter();
-  void scanBehindLetter(char letter, const char *begin);
+  void scanAfterLetter(char letter, const char *begin);
   void scanExtended(char letter, const char *begin);
   void scanValue(AddressId address, const char *begin);
   void scanIndexed(const char *begin, AddressId address);

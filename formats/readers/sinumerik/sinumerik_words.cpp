@@ -105,11 +105,11 @@ void SinumerikScanner::scanLetter() {
       }
     }
   }
-  scanBehindLetter(letter, begin);
+  scanAfterLetter(letter, begin);
 }
 
 /// What comes after a letter, where no plain number does.
-void SinumerikScanner::scanBehindLetter(char letter, const char *begin) {
+void SinumerikScanner::scanAfterLetter(char letter, const char *begin) {
   const AddressId address = letterAddress(letter);
   const char *const value = afterBlanks(at_);
   if (isEquals(value)) {
