@@ -42,8 +42,10 @@ bool isUnreadable(const Finding &finding) {
 /// The lines of one file with findings that are no advice.
 struct WrongLines {
   std::set<uint32_t> all, ofLanguage, ofCodes, unreadable;
-  std::set<uint32_t> unread;          ///< `unreadable`, and those of comments that nobody can read
-  const Finding *first = nullptr;     ///< the first that cannot be read, else the first
+  std::set<uint32_t> unread;      ///< `unreadable`, and those of comments that nobody can read
+  std::set<uint32_t> ofComments;  ///< with comments that nobody can read
+  const Finding *first = nullptr; ///< the first that cannot be read, else the first
+  const Finding *firstComment = nullptr;
   const Finding *firstCode = nullptr; ///< that is another control's
   const Finding *firstOfLanguage = nullptr;
 
@@ -52,6 +54,9 @@ struct WrongLines {
       if (finding.range.file == file && finding.severity != Severity::Style)
         add(finding, lines.lineBegin(finding.range.begin));
   }
+
+  /// Broken comments are why most of it cannot be read, not another control's language.
+  bool areComments() const { return ofComments.size() * 2 > unread.size(); }
 
 private:
   void add(const Finding &finding, uint32_t line) {
@@ -67,15 +72,16 @@ private:
     const bool isSyntax = isUnreadable(finding);
     if (isSyntax)
       unreadable.insert(line);
-    if (isSyntax || idOf(finding) == "syntax-unclosed-comment")
+    const bool isComment = idOf(finding) == "syntax-unclosed-comment";
+    if (isSyntax || isComment)
       unread.insert(line);
-    if (!first || (isSyntax && unreadable.size() == 1 && !firstIsSyntax_)) {
-      first = &finding;
-      firstIsSyntax_ = isSyntax;
+    if (isComment) {
+      firstComment = firstComment ? firstComment : &finding;
+      ofComments.insert(line);
     }
+    if (!first || (isSyntax && !isUnreadable(*first)))
+      first = &finding;
   }
-
-  bool firstIsSyntax_ = false;
 };
 
 bool areMany(const std::set<uint32_t> &lines, uint64_t blocks) {
@@ -116,7 +122,18 @@ std::optional<Fold> foldInto(OtherControl other, const WrongLines &wrong, uint64
       return std::nullopt;
     return Fold{std::move(other), ofLanguage, false};
   }
-  return Fold{std::move(other), wrong.all.size(), true};
+  return Fold{std::move(other), ofLanguage ? ofLanguage : wrong.all.size(), true};
+}
+
+/// The finding that is told for all.
+const Finding &toldForAll(const Fold &fold, const WrongLines &wrong) {
+  if (fold.other.hasTable && wrong.firstCode)
+    return *wrong.firstCode;
+  if (fold.other.name.empty() && wrong.areComments())
+    return *wrong.firstComment;
+  if (wrong.firstOfLanguage && (!fold.all || !isUnreadable(*wrong.first)))
+    return *wrong.firstOfLanguage;
+  return *wrong.first;
 }
 
 /// Lines with something in them: of a text that the control does not read to its end they are as
@@ -131,11 +148,15 @@ uint64_t filledLines(llvm::StringRef text) {
   return count;
 }
 
-std::string causeOf(const OtherControl &other) {
+std::string causeOf(const Fold &fold, const WrongLines &wrong) {
+  const OtherControl &other = fold.other;
   if (other.name.empty())
-    return "cannot be read: the text is no program of this control";
-  return (other.isNoMachine ? "are no program of a machine: " : "are for another control: ") +
-         other.name + " (" + other.marks + ")";
+    return wrong.areComments() ? "cannot be read, most for their comments"
+                               : "cannot be read: the text is no program of this control";
+  return (fold.lines == 1 ? "is " : "are ") +
+         ((other.isNoMachine ? "no program of a machine: " : "for another control: ") +
+          other.name) +
+         " (" + other.marks + ")";
 }
 
 /// Where the control was found out, a line that bears a mark of one that reads nearly the same is
@@ -175,12 +196,11 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
     fold = Fold{{}, wrong.unread.size(), true};
   if (!fold)
     return;
-  const bool byCode = fold->other.hasTable && wrong.firstCode;
-  Finding one = byCode ? *wrong.firstCode : fold->all ? *wrong.first : *wrong.firstOfLanguage;
+  Finding one = toldForAll(*fold, wrong);
   const uint64_t blocks =
       fold->other.hasTable ? origin.blocks : std::max(origin.blocks, filledLines(source.text()));
   one.message = formatted("{0} of {1} blocks {2}; the first: {3}", fold->lines,
-                          std::max(blocks, fold->lines), causeOf(fold->other), one.message);
+                          std::max(blocks, fold->lines), causeOf(*fold, wrong), one.message);
   one.fix.reset();
   llvm::erase_if(findings, [&](const Finding &finding) {
     const bool goes = fold->all ? !(fold->other.hasTable && isWrongEverywhere(idOf(finding)))

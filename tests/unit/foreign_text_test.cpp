@@ -38,8 +38,23 @@ TEST(ForeignText, CommentsOverManyLinesAreToldOnceToo) {
     text += "(\nwhat this does\n)\nG00 X1.\n";
   const auto findings = check("fanuc-mill", text + "M99\n");
   ASSERT_EQ(1u, findings.size());
-  EXPECT_NE(std::string::npos, findings[0].finding.message.find("no program of this control"))
+  EXPECT_NE(std::string::npos,
+            findings[0].finding.message.find("cannot be read, most for their comments"))
       << findings[0].finding.message;
+}
+
+/// Broken comments are no other control's language: the first of them is named, as an error there.
+TEST(ForeignText, ATextWhoseCommentsAreBrokenIsOfItsControl) {
+  std::string text = "O<pocket> sub\n";
+  for (int i = 0; i < 12; ++i)
+    text += "( depth (mm). )\nG1 X#1 F100\n";
+  const auto findings = check("auto", text + "O<pocket> endsub\nO<pocket> call\nM2\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_EQ(0u, findings[0].finding.message.find("12 of 28 blocks cannot be read, most for their "
+                                                 "comments; the first: a `(` inside a comment"))
+      << findings[0].finding.message;
+  EXPECT_EQ(Severity::Error, findings[0].finding.severity);
+  EXPECT_EQ(text.find("(mm"), findings[0].finding.range.begin);
 }
 
 TEST(ForeignText, ProseIsToldOnceWhereTheControlIsNamedToo) {
