@@ -340,6 +340,9 @@ bool SinumerikExpression::constant() {
   if ((kind == 'H' && !inside.drop_front().getAsInteger(16, value)) ||
       (kind == 'B' && !inside.drop_front().getAsInteger(2, value)))
     emit(Op::Number, begin, double(value));
+  else if ((kind == 'H' && !llvm::all_of(inside.drop_front(), llvm::isHexDigit)) ||
+           (kind == 'B' && inside.drop_front().find_first_not_of("01") != llvm::StringRef::npos))
+    return false; // `'B102'`
   else
     emit(Op::Opaque, begin);
   return true;
