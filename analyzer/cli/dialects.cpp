@@ -1,6 +1,7 @@
 // `ncvet dialects`: the controls that are known, and the check of a table of one's own.
 #include "analyzer/cli/explain.h"
 #include "analyzer/setup/session.h"
+#include "formats/packed/shipped.h"
 #include "formats/text/failure.h"
 
 #include "llvm/Support/Format.h"
@@ -43,7 +44,7 @@ int DialectsCommand::run() {
       return fail(std::move(wrong));
     return exitClean;
   }
-  for (const DialectSummary &dialect : listDialects()) {
+  for (const DialectSummary &dialect : shippedDialects()) {
     if (dialect.abstract)
       continue;
     llvm::outs() << llvm::left_justify(dialect.id, 12) << "  " << dialect.title;

@@ -6,8 +6,8 @@
 #include "analyzer/rule/rule_settings.h"
 #include "analyzer/rule/rule_table.h"
 #include "analyzer/setup/config.h"
-#include "formats/dialect/family.h"
 #include "formats/finding/page_text.h"
+#include "formats/packed/family.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/raw_ostream.h"

@@ -1,7 +1,7 @@
 // Options that several subcommands have: the control, the machine, the configuration.
 #include "analyzer/cli/setup_options.h"
 
-#include "formats/dialect/loader.h"
+#include "formats/packed/shipped.h"
 
 namespace ncvet::cli {
 
@@ -29,7 +29,7 @@ llvm::Error SetupOptions::apply(SessionOptions &session) const {
 }
 
 llvm::Error checkDialect(llvm::StringRef id) {
-  const std::vector<DialectSummary> dialects = listDialects();
+  const std::vector<DialectSummary> dialects = shippedDialects();
   std::vector<llvm::StringRef> known;
   for (const DialectSummary &dialect : dialects)
     if (!dialect.abstract)

@@ -3,7 +3,6 @@
 
 #include "analyzer/rule/block_shape.h"
 
-#include "llvm/ADT/StringMap.h"
 #include "llvm/Support/MathExtras.h"
 
 #include <utility>
@@ -30,11 +29,7 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
                        const RuleSelection &selection, Collector &collector)
     : byCode_(dialect.codes.size()), noticesOf_(dialect.codes.size()), context_(collector) {
   const llvm::ArrayRef<RuleEntry> table = allRules();
-  llvm::StringMap<llvm::SmallVector<CodeIndex, 4>> noticed; // by rule: codes with notices for it
-  for (size_t code = 0; code < dialect.codes.size(); ++code)
-    for (const Notice &notice : dialect.codes[code].notices)
-      if (auto &codes = noticed[notice.rule]; codes.empty() || codes.back() != code)
-        codes.push_back(CodeIndex(code));
+  const SortedCodes sorted(dialect);
   for (size_t i = 0; i < table.size(); ++i) {
     // The user's options lie over the dialect's.
     RuleOverride options;
@@ -61,7 +56,7 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     rules_.push_back(table[i].make());
     Listener listener{rules_.back().get(), told};
     all_.push_back(listener);
-    Subscriptions subscriptions(dialect, machine, &options);
+    Subscriptions subscriptions(dialect, machine, &options, sorted);
     listener.rule->listen(subscriptions);
     listener.moves = subscriptions.moves();
     if (subscriptions.isGathering())
@@ -75,7 +70,7 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
       changeRememberers_.push_back(listener.rule);
     listenToKinds(listener, subscriptions);
     // Facts of the table are reported for every rule; some do so themselves.
-    if (const auto codes = noticed.find(table[i].info.id); codes != noticed.end())
+    if (const auto codes = sorted.byNotice.find(table[i].info.id); codes != sorted.byNotice.end())
       listenToNotices(RuleId(i), dialect, codes->second, !subscriptions.noticesHandled());
     listenToCodes(listener, subscriptions);
   }

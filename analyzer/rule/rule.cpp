@@ -7,6 +7,26 @@
 
 namespace ncvet {
 
+SortedCodes::SortedCodes(const Dialect &dialect) : byAction(actionNames().size()) {
+  for (size_t code = 0; code < dialect.codes.size(); ++code) {
+    byAction[size_t(dialect.codes[code].action)].push_back(CodeIndex(code));
+    for (const Notice &notice : dialect.codes[code].notices)
+      if (auto &codes = byNotice[notice.rule]; codes.empty() || codes.back() != code)
+        codes.push_back(CodeIndex(code));
+  }
+}
+
+void Subscriptions::onAction(std::initializer_list<Action> actions) {
+  for (const Action action : actions)
+    llvm::append_range(codes_, sorted_.byAction[size_t(action)]);
+}
+
+void Subscriptions::onNotices(llvm::StringRef id) {
+  noticesHandled_ = true;
+  if (const auto codes = sorted_.byNotice.find(id); codes != sorted_.byNotice.end())
+    llvm::append_range(codes_, codes->second);
+}
+
 const OptionValue *Subscriptions::option(llvm::StringRef name) const {
   if (!options_)
     return nullptr;

@@ -15,6 +15,7 @@
 #include "interp/state/modes.h"
 
 #include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/StringMap.h"
 
 #include <functional>
 #include <memory>
@@ -85,12 +86,21 @@ private:
   Finding *finding_ = nullptr;
 };
 
+/// The codes of a control, found once for all rules that ask for them.
+struct SortedCodes {
+  explicit SortedCodes(const Dialect &dialect);
+
+  std::vector<std::vector<CodeIndex>> byAction;
+  llvm::StringMap<llvm::SmallVector<CodeIndex, 4>> byNotice; ///< by rule: those with notices for it
+};
+
 /// What a rule subscribes to. Compiled into one table per run: a block in which nothing happens
 /// that anybody listens for costs one bit test.
 class Subscriptions {
 public:
-  Subscriptions(const Dialect &dialect, const MachineProfile &machine, const RuleOverride *options)
-      : dialect_(dialect), machine_(machine), options_(options) {}
+  Subscriptions(const Dialect &dialect, const MachineProfile &machine, const RuleOverride *options,
+                const SortedCodes &sorted)
+      : dialect_(dialect), machine_(machine), options_(options), sorted_(sorted) {}
 
   const Dialect &dialect() const { return dialect_; }
   const MachineProfile &machine() const { return machine_; }
@@ -121,16 +131,9 @@ public:
       if (wanted(dialect_.codes[i]))
         codes_.push_back(CodeIndex(i));
   }
-  void onAction(std::initializer_list<Action> actions) {
-    onCode([&](const CodeInfo &code) { return llvm::is_contained(actions, code.action); });
-  }
+  void onAction(std::initializer_list<Action> actions);
   /// `Code` events of the codes that have notices for rule `id`.
-  void onNotices(llvm::StringRef id) {
-    noticesHandled_ = true;
-    onCode([&](const CodeInfo &code) {
-      return llvm::any_of(code.notices, [&](const Notice &n) { return id == n.rule; });
-    });
-  }
+  void onNotices(llvm::StringRef id);
   /// The rule reports its notices itself; without this they are reported for it.
   void handleNotices() { noticesHandled_ = true; }
   bool noticesHandled() const { return noticesHandled_; }
@@ -158,6 +161,7 @@ private:
   const Dialect &dialect_;
   const MachineProfile &machine_;
   const RuleOverride *options_;
+  const SortedCodes &sorted_;
   uint32_t kinds_ = 0;
   uint32_t everyBlock_ = 0;
   uint8_t moves_ = 0xFF;

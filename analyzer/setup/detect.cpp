@@ -1,13 +1,11 @@
 // Detection of the dialect: the marks of the tables, counted over the first blocks of a program.
 #include "analyzer/setup/detect.h"
 
-#include "formats/dialect/config_file.h"
-#include "formats/dialect/json_reader.h"
+#include "formats/packed/shipped.h"
 #include "formats/text/failure.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Path.h"
-#include <nlohmann/json.hpp>
 
 namespace ncvet {
 
@@ -50,6 +48,14 @@ void addEndings(llvm::ArrayRef<DialectSummary> dialects, ProgramEndings &endings
         endings.sure.push_back(ending);
 }
 
+llvm::Error checkMarks(llvm::ArrayRef<DialectSummary> dialects) {
+  for (const DialectSummary &dialect : dialects)
+    for (const DetectMark &mark : dialect.detect)
+      if (llvm::Error wrong = PatternSet::check(mark.pattern))
+        return failure("dialect " + dialect.id + ": " + llvm::toString(std::move(wrong)));
+  return llvm::Error::success();
+}
+
 /// Line that begins with `(`, `;` or `%`, or an empty one: says nothing either way.
 bool isRemark(llvm::StringRef line) {
   return line.empty() || llvm::StringRef("(;%:").contains(line.front());
@@ -76,53 +82,41 @@ bool isWords(llvm::StringRef line) {
 
 } // namespace
 
-llvm::Expected<DetectFile> Detector::readTable() {
-  DetectFile table;
-  for (const RulesetFile &file : builtinRulesetFiles()) {
-    if (file.name != "detect.json")
-      continue;
-    auto json = parseJson(file.name, file.text);
-    if (!json)
-      return json.takeError();
-    const JsonLayer layer{file.name.str(), file.text};
-    JsonReader in(layer, *json);
-    readInto(in, *json, detectRecord, table);
-    if (llvm::Error wrong = in.takeError())
-      return wrong;
-  }
-  return table;
-}
-
 llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
-  auto table = readTable();
-  if (!table)
-    return table.takeError();
+  const DetectFile &table = shippedDetection();
   Detector detector;
-  detector.fallback_ = table->fallback;
-  detector.minimumScore_ = table->minimumScore;
-  detector.sureScore_ = table->sureScore;
-  detector.mostByHabits_ = table->mostByHabits;
-  detector.endings_ = {table->extensions, table->looseExtensions};
-  detector.unsure_ = {table->unsure.ignore, table->unsure.highest.value_or(Severity::Error)};
-  for (auto &[name, marks] : table->otherControls)
-    detector.others_.push_back(
-        {name, marks.readAs, marks.forMachine, marks.alike, std::move(marks.marks)});
+  detector.fallback_ = table.fallback;
+  detector.minimumScore_ = table.minimumScore;
+  detector.sureScore_ = table.sureScore;
+  detector.mostByHabits_ = table.mostByHabits;
+  detector.endings_ = {table.extensions, table.looseExtensions};
+  detector.unsure_ = {table.unsure.ignore, table.unsure.highest.value_or(Severity::Error)};
+  for (const auto &[name, marks] : table.otherControls)
+    detector.others_.push_back({name, marks.readAs, marks.forMachine, marks.alike, marks.marks});
   std::vector<DialectSummary> dialects(own.begin(), own.end());
-  for (DialectSummary &known : listDialects())
+  for (const DialectSummary &known : shippedDialects())
     if (llvm::none_of(own, [&](const DialectSummary &mine) { return mine.id == known.id; }))
-      dialects.push_back(std::move(known));
+      dialects.push_back(known);
   llvm::erase_if(dialects, [](const DialectSummary &dialect) { return dialect.abstract; });
   addEndings(dialects, detector.endings_);
   const auto rank = [&](const DialectSummary &dialect) {
-    return llvm::find(table->prefer, dialect.id) - table->prefer.begin();
+    return llvm::find(table.prefer, dialect.id) - table.prefer.begin();
   };
   llvm::stable_sort(dialects, [&](const DialectSummary &left, const DialectSummary &right) {
     return rank(left) < rank(right);
   });
   detector.dialects_ = std::move(dialects);
-  if (llvm::Error wrong = detector.addMarks())
+  for (size_t i = 0; i < detector.dialects_.size(); ++i)
+    detector.addMarks(detector.dialects_[i].detect, i);
+  for (size_t i = 0; i < detector.others_.size(); ++i)
+    detector.addMarks(detector.others_[i].marks, detector.dialects_.size() + i);
+  // Those that come with the program are known to be good.
+  if (llvm::Error wrong = checkMarks(own))
     return wrong;
-  for (const std::string &pattern : table->habits) {
+  if (!own.empty())
+    if (llvm::Error wrong = detector.patterns_.compile())
+      return wrong;
+  for (const std::string &pattern : table.habits) {
     const auto mark = detector.markOfPattern_.find(pattern);
     if (mark == detector.markOfPattern_.end())
       return failure("detect.json: no mark has the pattern \"" + pattern + "\"");
@@ -131,37 +125,18 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   return detector;
 }
 
-llvm::Error Detector::addMarks() {
-  for (size_t i = 0; i < dialects_.size(); ++i)
-    if (llvm::Error wrong = addMarks(dialects_[i].detect, i, "dialect " + dialects_[i].id))
-      return wrong;
-  for (size_t i = 0; i < others_.size(); ++i)
-    if (llvm::Error wrong = addMarks(others_[i].marks, dialects_.size() + i, others_[i].name))
-      return wrong;
-  return patterns_.compile();
-}
-
-llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
-                               const llvm::Twine &owner) {
+void Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate) {
   for (const DetectMark &mark : marks) {
     const auto [known, isNew] = markOfPattern_.try_emplace(mark.pattern, marks_.size());
-    if (isNew) {
-      auto number = patterns_.add(mark.pattern);
-      if (!number)
-        return failure(owner + ": " + llvm::toString(number.takeError()));
-      marks_.resize(*number + 1);
-    }
+    if (isNew)
+      marks_.resize(patterns_.add(mark.pattern) + 1);
     marks_[known->second].votes.push_back({candidate, mark.score, mark.reason});
   }
-  return llvm::Error::success();
 }
 
 std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName,
                                               llvm::StringRef text) const {
-  std::vector<bool> found(marks_.size()); // in one of the lines
-  for (const std::string &line : firstLines(text))
-    for (const int mark : patterns_.matching(line))
-      found[size_t(mark)] = true;
+  const std::vector<bool> found = patterns_.inLines(firstLines(text));
   std::vector<Score> scores(dialects_.size() + others_.size());
   for (size_t mark = 0; mark < marks_.size(); ++mark)
     if (found[mark])
@@ -242,12 +217,10 @@ bool Detector::marks(llvm::StringRef other, llvm::StringRef line) const {
   });
 }
 
-llvm::Expected<ProgramEndings> Detector::builtinEndings() {
-  auto table = readTable();
-  if (!table)
-    return table.takeError();
-  ProgramEndings endings{table->extensions, table->looseExtensions};
-  addEndings(listDialects(), endings);
+ProgramEndings Detector::builtinEndings() {
+  const DetectFile &table = shippedDetection();
+  ProgramEndings endings{table.extensions, table.looseExtensions};
+  addEndings(shippedDialects(), endings);
   return endings;
 }
 

@@ -6,8 +6,6 @@
 
 namespace ncvet {
 
-struct DetectFile; // formats/dialect/config_file.h
-
 struct Detection {
   std::string dialect; ///< id
   std::string reason;  ///< for --stats: what spoke for it
@@ -35,11 +33,11 @@ struct ProgramEndings {
 /// Scores programs by the marks of the tables. Made once, then used by several threads.
 class Detector {
 public:
-  /// Compiles the marks of all dialects that can be chosen: the built-in ones and `own`.
+  /// Takes the marks of all dialects that can be chosen: the built-in ones and `own`.
   static llvm::Expected<Detector> create(llvm::ArrayRef<DialectSummary> own = {});
 
   /// Endings of part programs by the built-in tables, without compiling a mark.
-  static llvm::Expected<ProgramEndings> builtinEndings();
+  static ProgramEndings builtinEndings();
   /// Bytes of a text that are looked at.
   static constexpr size_t shownBytes = 16 * 1024;
   /// The dialect of a program, from its file name's ending and its first blocks.
@@ -78,11 +76,8 @@ private:
     bool forMachine, alike;
     std::vector<DetectMark> marks;
   };
-  static llvm::Expected<DetectFile> readTable();
   std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text) const;
-  llvm::Error addMarks();
-  llvm::Error addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
-                       const llvm::Twine &owner);
+  void addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate);
 
   /// Candidates are the dialects, those that are preferred first, then the other controls.
   std::vector<DialectSummary> dialects_;

@@ -61,14 +61,8 @@ private:
   }
 
   void walkFrom(llvm::StringRef folder) {
-    if (!endings_) {
-      auto endings = Detector::builtinEndings();
-      if (!endings) {
-        inputs_.errors.push_back(llvm::toString(endings.takeError()));
-        return;
-      }
-      endings_ = std::move(*endings);
-    }
+    if (!endings_)
+      endings_ = Detector::builtinEndings();
     walk(folder);
   }
 

@@ -5,6 +5,7 @@
 #include "analyzer/setup/remaps.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/json_reader.h"
+#include "formats/packed/shipped.h"
 #include "formats/text/failure.h"
 #include "formats/text/formatted.h"
 #include "formats/text/read_file.h"
@@ -21,7 +22,7 @@ namespace {
 
 std::string nearestDialect(llvm::StringRef given, llvm::ArrayRef<DialectSummary> own) {
   std::vector<std::string> ids;
-  for (const std::vector<DialectSummary> &list : {own.vec(), listDialects()})
+  for (const std::vector<DialectSummary> &list : {own.vec(), shippedDialects()})
     for (const DialectSummary &dialect : list)
       if (!dialect.abstract)
         ids.push_back(dialect.id);
@@ -50,10 +51,9 @@ private:
 };
 
 llvm::Expected<std::shared_ptr<const Dialect>> shippedDialect(const std::string &id) {
-  static Shipped<std::shared_ptr<const Dialect>> tables;
-  return tables.get(id, [&]() -> llvm::Expected<std::shared_ptr<const Dialect>> {
-    return loadDialect(id, builtinDialects());
-  });
+  static auto &tables = *new Shipped<std::shared_ptr<const Dialect>>; // never taken apart
+  return tables.get(
+      id, [&]() -> llvm::Expected<std::shared_ptr<const Dialect>> { return loadShipped(id); });
 }
 
 llvm::Expected<std::shared_ptr<const Detector>> makeDetector(llvm::ArrayRef<DialectSummary> own) {
@@ -64,7 +64,7 @@ llvm::Expected<std::shared_ptr<const Detector>> makeDetector(llvm::ArrayRef<Dial
 }
 
 llvm::Expected<std::shared_ptr<const Detector>> shippedDetector() {
-  static Shipped<std::shared_ptr<const Detector>> detectors;
+  static auto &detectors = *new Shipped<std::shared_ptr<const Detector>>;
   return detectors.get("", [] { return makeDetector({}); });
 }
 

@@ -56,6 +56,9 @@ struct DetectFile {
   std::vector<std::string> extensions, looseExtensions;
 };
 
+/// The built-in table of detection.
+llvm::Expected<DetectFile> loadDetection();
+
 // config_records.cpp
 extern const RecordOf<ConfigFile> configRecord;
 extern const RecordOf<OverrideFile> overrideRecord;

@@ -257,6 +257,13 @@ struct RuleOverride {
 
 struct ControlFacts; // formats/dialect/control_facts.h
 
+/// One of the tables that a control's was made of.
+struct TableLayer {
+  std::string name; ///< of the file, for messages
+  llvm::StringRef text;
+  std::shared_ptr<const std::string> kept; ///< holds the text, unless that comes with the program
+};
+
 /// A whole control. Immutable after loading.
 struct Dialect {
   std::string id;
@@ -334,8 +341,8 @@ struct Dialect {
   AddressMask pointAdvised = 0;    ///< in some code at least, a decimal point is advised
   /// Axis words, codes and the words that always act by themselves (F, S, T, tool offsets).
   AddressMask plain = 0;
-  /// File names and texts of the tables that this one was made of, base first: for `overlay`.
-  std::vector<std::pair<std::string, std::string>> layers;
+  std::vector<TableLayer>
+      layers; ///< the tables that this one was made of, base first: for `overlay`
 
   GroupIndex group(StandardGroup which) const { return standard[unsigned(which)]; }
   bool isLathe() const { return machine == MachineKind::Lathe; }

@@ -237,8 +237,10 @@ llvm::Expected<std::shared_ptr<const Dialect>> loadDialect(llvm::StringRef id,
   auto dialect = build(layers.files, merged);
   if (!dialect)
     return dialect.takeError();
-  for (const JsonLayer &file : layers.files)
-    (*dialect)->layers.emplace_back(file.name, file.text.str());
+  for (const JsonLayer &file : layers.files) {
+    auto kept = std::make_shared<const std::string>(file.text);
+    (*dialect)->layers.push_back({file.name, *kept, kept});
+  }
   return std::shared_ptr<const Dialect>(std::move(*dialect));
 }
 
@@ -249,11 +251,11 @@ llvm::Expected<std::shared_ptr<const Dialect>> overlay(std::shared_ptr<const Dia
     return profile.takeError();
   std::vector<JsonLayer> files;
   std::vector<Json> values, controls, choices;
-  for (const auto &[layerName, layerText] : dialect->layers) {
-    llvm::Expected<Json> value = parseJson(layerName, layerText);
+  for (const TableLayer &layer : dialect->layers) {
+    llvm::Expected<Json> value = parseJson(layer.name, layer.text);
     if (!value)
       return value.takeError();
-    files.push_back({layerName, layerText});
+    files.push_back({layer.name, layer.text});
     prepareLayer(*value);
     // What is taken away there must still be said when it is laid over the whole.
     if (const auto own = value->find("controls"); own != value->end() && own->is_object())

@@ -1,9 +1,9 @@
 // Findings as diagnostics of the protocol: severity, further places, tags, the rule's page.
 #include "lsp/protocol/diagnostic.h"
 
-#include "formats/dialect/family.h"
 #include "formats/finding/page_text.h"
 #include "formats/finding/plain_message.h"
+#include "formats/packed/family.h"
 #include "formats/text/file_uri.h"
 #include "formats/text/json_text.h"
 

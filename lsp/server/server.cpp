@@ -1,7 +1,7 @@
 // The language server: initialization, what it can do, and the loop that takes messages.
 #include "lsp/server/server.h"
 
-#include "formats/dialect/loader.h"
+#include "formats/packed/shipped.h"
 #include "formats/text/file_uri.h"
 #include "formats/text/system/system.h"
 #include "lsp/server/bindings.h"
@@ -99,7 +99,7 @@ ClientSupport readSupport(const Json &capabilities) {
 /// Files that may be named after the program in them.
 Json filesOfPrograms() {
   std::set<std::string> endings;
-  for (const DialectSummary &dialect : listDialects())
+  for (const DialectSummary &dialect : shippedDialects())
     endings.insert(dialect.extensions.begin(), dialect.extensions.end());
   const std::string glob = "**/*.{" + llvm::join(endings, ",") + "}";
   return {

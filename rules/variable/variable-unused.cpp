@@ -1,6 +1,7 @@
 // A variable or an element of a contour that is defined and never read.
 #include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/defined_elements.h"
+#include "analyzer/facts/name_counts.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
@@ -162,12 +163,16 @@ private:
           read.insert(variableKey(ctx.text(name))); // a name that may be a variable's
       }
     }
-    const std::string text = file.source.text(program.begin, program.end).upper();
+    // Somewhere in a form that is not read closely: an index of a system variable, a message.
+    NameCounts mentioned;
+    for (const DefinedName &name : defined)
+      if (!read.count(name.key))
+        mentioned.add(ctx.text(name.range).upper());
+    mentioned.countIn(file.source.text(program.begin, program.end).upper());
     std::vector<SourceRange> unread; // of one block: told together
     for (size_t i = 0; i < defined.size(); ++i) {
       const DefinedName &name = defined[i];
-      // Somewhere in a form that is not read closely: an index of a system variable, a message.
-      if (!read.count(name.key) && llvm::StringRef(text).count(ctx.text(name.range).upper()) < 3)
+      if (!read.count(name.key) && mentioned.of(ctx.text(name.range).upper()) < 3)
         unread.push_back(name.range);
       if (i + 1 == defined.size() || defined[i + 1].block != name.block) {
         unusedOfBlock(unread, ctx);

@@ -537,9 +537,10 @@ TEST(Incremental, WhatARuleRemembersAtTheStartCanBeCompared) {
       continue;
     const auto dialect = llvm::cantFail(loadDialect(summary.id, builtinDialects()));
     const MachineProfile machine;
+    const SortedCodes sorted(*dialect);
     for (const RuleEntry &entry : allRules()) {
       const std::unique_ptr<Rule> rule = entry.make();
-      Subscriptions subscriptions(*dialect, machine, nullptr);
+      Subscriptions subscriptions(*dialect, machine, nullptr, sorted);
       rule->listen(subscriptions);
       RuleMemory memory(0);
       rule->remember(memory);

@@ -1,10 +1,14 @@
 // Detection of the dialect, and of what is a program at all.
 #include "analyzer/rule/rule_settings.h"
 #include "analyzer/setup/detect.h"
+#include "formats/text/needed_text.h"
+#include "formats/text/read_file.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 
 namespace ncvet {
 namespace {
@@ -254,6 +258,56 @@ TEST(Detection, WordsOfOneControlDecideWhateverTheEnding) {
                              .detect("a.nc", "O00011 (SLOT)\nT17 D17 M06\nG52 X0 Y0\n"
                                              "G101 Y0.\nM98 P100\nG100 Y0.\nM30\n")
                              .dialect);
+}
+
+TEST(Detection, TheFirstTextIsToldAsAnyOther) {
+  namespace fs = std::filesystem;
+  size_t programs = 0;
+  for (const auto &file :
+       fs::recursive_directory_iterator(fs::path(places::sourceFolder()) / "tests" / "programs")) {
+    if (!file.is_regular_file() || file.path().extension() == ".cpp")
+      continue;
+    auto text = readFile(file.path().string());
+    ASSERT_TRUE(bool(text)) << llvm::toString(text.takeError());
+    const std::string name = file.path().filename().string();
+    auto fresh = llvm::cantFail(Detector::create());
+    const Detection first = fresh.detect(name, (*text)->getBuffer());
+    const Detection later = detector().detect(name, (*text)->getBuffer());
+    EXPECT_EQ(later.dialect, first.dialect) << name;
+    EXPECT_EQ(later.reason, first.reason) << name;
+    EXPECT_EQ(later.sure, first.sure) << name;
+    EXPECT_EQ(later.other, first.other) << name;
+    EXPECT_EQ(later.otherMarks, first.otherMarks) << name;
+    ++programs;
+  }
+  EXPECT_GT(programs, 30u);
+}
+
+TEST(NeededTexts, AreInEachMatchOfAPattern) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(Texts{"HAAS"}, neededTexts("HAAS"));
+  EXPECT_EQ(Texts({"GOTOF", "GOTOB"}), neededTexts("GOTO[FB] +[A-Z_]"));
+  EXPECT_EQ(Texts({"G017.", "G017", "G17.", "G17"}), neededTexts("G0?17\\.?"));
+  EXPECT_EQ(Texts({"FANUC", "MAZAK"}), neededTexts("(^|[ 0-9])FANUC|MAZAK *[0-9]+"));
+  EXPECT_EQ(Texts{"MCALL"}, neededTexts("(N[0-9]+ *)?MCALL *"));
+  EXPECT_EQ(Texts{"AB"}, neededTexts("(AB){2}C*"));
+  EXPECT_EQ(Texts{"]"}, neededTexts("[]]"));
+  for (const char *pattern : {"", "A?", "(A|)", "A*", "[^A]", ".", "(A|[^B])", "A{0,3}"})
+    EXPECT_EQ(Texts{}, neededTexts(pattern)) << pattern;
+  // Forms that are not read say nothing.
+  for (const char *pattern : {"(?i)a", "\\dA", "[[:digit:]]A", "(A", "A)", "[A", "A{", "A\\"})
+    EXPECT_EQ(Texts{}, neededTexts(pattern)) << pattern;
+}
+
+TEST(NeededTexts, AreLookedForInATextAsAWhole) {
+  const HeldTexts held("G54.1 P12\nMCALL");
+  for (const char *part : {"G", "G5", "54.1", "MCALL", "2\nM"})
+    EXPECT_TRUE(held.holds(part)) << part;
+  for (const char *part : {"X", "GP", "G54.2", "54.154", "CALLM"})
+    EXPECT_FALSE(held.holds(part)) << part;
+  EXPECT_TRUE(held.holdsAny({}));
+  EXPECT_TRUE(held.holdsAny({"X", "P1"}));
+  EXPECT_FALSE(held.holdsAny({"X", "P2"}));
 }
 
 } // namespace

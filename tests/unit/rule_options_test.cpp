@@ -146,7 +146,8 @@ TEST(OptionsOfRules, AreReadAsTheirType) {
   given.options["number"] = 2.5;
   given.options["name"] = std::string("b");
   given.options["index"] = 2.0;
-  const Subscriptions to(*dialect, machine, &given);
+  const SortedCodes sorted(*dialect);
+  const Subscriptions to(*dialect, machine, &given, sorted);
   EXPECT_TRUE(to.flag("flag"));
   EXPECT_FALSE(to.flag("other"));
   EXPECT_TRUE(to.flag("other", true));

@@ -1,14 +1,14 @@
 // A control and those whose tables it extends.
-#include "formats/dialect/family.h"
+#include "formats/packed/family.h"
 
-#include "formats/dialect/loader.h"
+#include "formats/packed/shipped.h"
 
 #include "llvm/ADT/STLExtras.h"
 
 namespace ncvet {
 
 std::vector<std::string> familyOf(llvm::StringRef dialect) {
-  static const std::vector<DialectSummary> known = listDialects();
+  static const std::vector<DialectSummary> known = shippedDialects();
   std::vector<std::string> family;
   std::string id = dialect.str();
   while (!id.empty() && !llvm::is_contained(family, id)) {
