@@ -1,10 +1,15 @@
-// The codes that end what is in force, for messages and fixes.
+// The codes that begin and end what is in force, by the names that messages and fixes give them.
 #pragma once
 
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
 
+/// The first code of the control with that action; null when it has none.
+const CodeInfo *firstCodeWith(const Dialect &dialect, Action action);
+/// The radius compensation that is in force in `state`: "`G41`", or "compensation" when it may be
+/// one of several.
+std::string compensationName(const Dialect &dialect, const MachineState &state);
 /// What ends a modal cycle: its opposite in the table, else the control's code that cancels cycles
 /// ("G80") for those of drilling and for turning a rapid ("G00"), which shares the group.
 std::string cancelOf(const Dialect &dialect, const CodeInfo &cycle);

@@ -1,4 +1,5 @@
 // A code that works only with an option of the machine that the profile does not confirm.
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
@@ -14,9 +15,8 @@ class BlockOptionRequired final : public StatefulRule<BlockOptionRequiredMemory>
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
-    for (const CodeInfo &code : to.dialect().codes)
-      if (code.action == Action::ToolChange && change_.empty())
-        change_ = code.name;
+    if (const CodeInfo *change = firstCodeWith(to.dialect(), Action::ToolChange))
+      change_ = change->name;
     if (!to.dialect().toolChangeByT && !to.dialect().isLathe() && !change_.empty())
       to.onChange({EventKind::ToolWord, EventKind::Motion});
   }

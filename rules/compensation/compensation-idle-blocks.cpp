@@ -1,5 +1,6 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
 #include "analyzer/facts/codes_in_force.h"
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
@@ -74,7 +75,7 @@ private:
       finding
           .message("{0} moves of the infeed axis alone in a row under {1}: the control loses the "
                    "contour",
-                   memory().inARow, name(ctx))
+                   memory().inARow, compensationName(ctx.dialect(), ctx.after()))
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
@@ -126,7 +127,7 @@ private:
                                    "control looks past it for the next corner is not stated"
                                  : "{0} blocks in a row without a move in the plane under {1}: the "
                                    "control cannot compute the next corner and cuts into it",
-                   allowed_ + 1, name(ctx))
+                   allowed_ + 1, compensationName(ctx.dialect(), ctx.after()))
           .severity(severity_)
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
@@ -200,7 +201,7 @@ private:
       finding
           .message("a move of zero length in the plane under {0}: the control sets the tool square "
                    "to the last element and cuts into the next",
-                   name(ctx))
+                   compensationName(ctx.dialect(), ctx.after()))
           .note(ctx.after().origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
@@ -222,13 +223,8 @@ private:
       finding.severity(Severity::Warning)
           .message("the move leaves the plane under {0}: how the control compensates it is not "
                    "stated",
-                   name(ctx))
+                   compensationName(ctx.dialect(), ctx.after()))
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
-  }
-
-  static std::string name(RuleContext &ctx) {
-    const CodeInfo *code = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
-    return code ? "`" + code->name + "`" : "compensation";
   }
 
   std::optional<Severity> severity_; ///< of blocks that the control perhaps looks past

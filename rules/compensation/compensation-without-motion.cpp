@@ -1,6 +1,7 @@
 // A compensation code without a move in the plane, and a subprogram that begins without one.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
@@ -58,13 +59,8 @@ private:
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
           .message("the first piece of the contour under {0} is a rapid move: it is made at feed",
-                   nameOf(ctx))
+                   compensationName(ctx.dialect(), ctx.before()))
           .note(before.origin.of(StatePart::Compensation), "compensation is switched on here");
-  }
-
-  static std::string nameOf(RuleContext &ctx) {
-    const CodeInfo *code = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
-    return code ? "`" + code->name + "`" : "compensation";
   }
 
   /// The block makes the last piece of a closed contour: at feed, to the point that the block gives

@@ -1,6 +1,7 @@
 // Radius compensation on the side of the material, or on that which the tool's nose does not have.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/codes_in_force.h"
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/facts/turning_profile.h"
@@ -131,12 +132,13 @@ private:
         (code->action != Action::CompensationLeft && code->action != Action::CompensationRight))
       return;
     const Origin &origin = after.origin.of(StatePart::Compensation);
+    const CodeInfo *const other = firstCodeWith(ctx.dialect(), right);
     if (auto finding = ctx.report(causePlace(ctx, origin).at, event.certain))
       finding
           .message("`{0}` on {1} cut towards the chuck: the nose runs on the side of the material, "
                    "`{2}` belongs there",
                    code->name, outside ? "an outside contour" : "a bore",
-                   nameOf(right, ctx.dialect()))
+                   other ? other->name : "the other side")
           .note(leaving.empty() ? element : leaving,
                 !leaving.empty() ? "here the tool leaves the contour at its depth"
                 : outside        ? "here the contour grows"
@@ -198,13 +200,6 @@ private:
       return to.value() > greatest ? Side::Outside : Side::Inside;
     }
     return Side::Unknown;
-  }
-
-  static std::string nameOf(Action action, const Dialect &dialect) {
-    for (const CodeInfo &code : dialect.codes)
-      if (code.action == action)
-        return code.name;
-    return "the other side";
   }
 
   /// The position in the plane.

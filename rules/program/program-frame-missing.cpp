@@ -1,4 +1,5 @@
 // The program number, or the closing mark, that the control wants around a program is missing.
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 
@@ -68,14 +69,6 @@ private:
 
   bool wantsReset_ = false;
 
-  /// The word that opens a program; null: a number does.
-  static const CodeInfo *headOf(const Dialect &dialect) {
-    for (const CodeInfo &code : dialect.codes)
-      if (code.action == Action::ProgramHead)
-        return &code;
-    return nullptr;
-  }
-
   /// No `%` at either end.
   static void tapeMarks(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     for (const Block &block : blocks(file.reader, program.begin, program.end)) {
@@ -96,7 +89,7 @@ private:
     for (const Block &block : blocks(file.reader, program.begin, program.end)) {
       if (block.isEmpty() && block.number < 0)
         continue;
-      if (const CodeInfo *head = headOf(ctx.dialect())) {
+      if (const CodeInfo *head = firstCodeWith(ctx.dialect(), Action::ProgramHead)) {
         if (!findCode(ctx.dialect(), block, {Action::ProgramHead}))
           if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
             finding.message("the program begins without `{0}`", head->name);

@@ -1,5 +1,6 @@
 // Constant surface speed without a limit of the spindle's speed.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
@@ -14,11 +15,9 @@ class SpindleCssWithoutClamp final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     // A control that has no such limit cannot be asked for one.
-    limit_ = "";
+    const CodeInfo *const limit = firstCodeWith(to.dialect(), Action::SpeedLimit);
+    limit_ = limit ? limit->name : "";
     limitFollows_ = to.flag("limitFollows");
-    for (const CodeInfo &code : to.dialect().codes)
-      if (code.action == Action::SpeedLimit && limit_.empty())
-        limit_ = code.name;
     for (const std::string &name : to.dialect().facts->spindle.limitVariables)
       variables_.push_back(variableKey(name));
     if (!limit_.empty() || to.dialect().speedLimitWords)
