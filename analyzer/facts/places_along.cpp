@@ -27,6 +27,8 @@ PlacesAlong placesOf(const ProgramInfo &program, const RuleContext &ctx) {
   bool told = true;
   for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
     const Word *const z = block.find(letterAddress('Z'));
+    places.fedRapids +=
+        block.has(letterAddress('F')) && findCode(dialect, block, {Action::Rapid}) != nullptr;
     told &=
         block.items.empty() && (!z || z->isNumber()) &&
         !findCode(dialect, block,

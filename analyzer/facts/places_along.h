@@ -15,6 +15,7 @@ struct PlacesAlong {
     unsigned rapid = 0;
   };
   std::map<double, Ways> below;
+  unsigned fedRapids = 0; ///< blocks with a code for rapid moves and a feed
 };
 
 /// Those of the programs that a rule asks for, each read once.

@@ -36,6 +36,7 @@ public:
         return false;
     if (block.has(letterAddress('T')))
       forget();
+    at_ = block.begin;
     if (moves_)
       move(block);
     return true;
@@ -62,6 +63,8 @@ private:
       moves_ = false;
       return true;
     case Action::Cycle:
+      if (makesHole(code.cycle) && (!x_ || std::fabs(*x_) <= onAxis))
+        drills(block.begin);
       forget();
       moves_ = false;
       motion_ = Motion::None;
@@ -140,6 +143,10 @@ private:
       run_.push_back(cut);
     else if (x < *x_)
       shape_.in_.push_back(cut);
+    if (z != *z_ && std::fabs(x) <= onAxis)
+      drills(at_);
+    else if (z == *z_ && x <= 0 && *x_ > 0 && !shape_.face_)
+      shape_.face_ = {at_, z};
   }
 
   /// What was cut since the last rapid move is the outside where the tool went outwards last.
@@ -152,6 +159,8 @@ private:
     run_.clear();
     side_ = 0;
   }
+
+  void drills(uint32_t block) { shape_.drilled_ = std::min(shape_.drilled_, block); }
 
   void forget() {
     endRun();
@@ -168,6 +177,7 @@ private:
   bool moves_ = true; ///< the axis words of the block are those of a move
   int side_ = 0;      ///< which way the last X of the cut went: 1 outwards
   std::optional<double> x_, z_;
+  uint32_t at_ = 0; ///< the block
   std::vector<TurnedShape::Cut> run_;
 };
 
@@ -178,6 +188,7 @@ TurnedShape::TurnedShape(const FileIndex &index, const ProgramInfo &program,
     if (!reader.read(block)) {
       along_.clear();
       in_.clear();
+      face_.reset();
       return;
     }
 }
@@ -201,6 +212,12 @@ std::optional<double> TurnedShape::diameter(At at) const {
     least = std::min(least.value_or(x), x);
   }
   return least;
+}
+
+std::optional<double> TurnedShape::faceBefore(uint32_t block) const {
+  return face_ && face_->first < block && block < drilled_ && stops_.empty()
+             ? std::optional(face_->second)
+             : std::nullopt;
 }
 
 bool TurnedShape::isTurned(At at) const {

@@ -24,6 +24,9 @@ public:
   bool isTurned(At at) const;
   /// Whether a tool is fed straight in as deep as `x`, not further than `near` from there.
   bool isOpened(At at, double x, double near) const;
+  /// Z of the face that is cut down to the axis, as long as nothing is drilled into it: none where
+  /// the block comes after the first cut along the axis, or nothing is faced before it.
+  std::optional<double> faceBefore(uint32_t block) const;
   /// From where a tool is fed straight in to that place; none: it is not.
   std::optional<double> fedFrom(At at, double x) const;
 
@@ -38,8 +41,10 @@ private:
   unsigned sectionOf(uint32_t block) const;
 
   std::vector<uint32_t> stops_;
-  std::vector<Cut> along_; ///< cuts that go along Z
-  std::vector<Cut> in_;    ///< straight in, with X alone
+  std::vector<Cut> along_;                          ///< cuts that go along Z
+  std::vector<Cut> in_;                             ///< straight in, with X alone
+  std::optional<std::pair<uint32_t, double>> face_; ///< block and Z of the first cut to the axis
+  uint32_t drilled_ = ~0u;                          ///< the first block that cuts along the axis
 };
 
 /// The shapes of the programs that a rule asks for, each read once.

@@ -173,7 +173,9 @@ void Calls::callModally(Step &step) {
     callee = callees_.findModal(step.unit(), *call, *made, item);
   }
   if (!callee || !mayEnter(step, *callee)) {
+    const MachineState before = state;
     forget(state, *step.unit().dialect);
+    keepModes(before, state, *step.unit().dialect);
     run_.opaque = true;
     state.modalCalls = call;
     run_.lose(step.blockRange(), "what runs after this block is not known");

@@ -117,8 +117,10 @@ std::optional<MachineSource> remapsNear(llvm::StringRef folder, const Dialect &d
   for (const auto &remapped : codes) {
     const auto isIt = [&](const CodeInfo &code) { return code.name == remapped.first; };
     if (llvm::none_of(dialect.codes, isIt))
-      made[remapped.first] = {
-          {"does", "machine-specific"}, {"title", "remapped code"}, {"takes", remapped.second}};
+      made[remapped.first] = {{"does", "machine-specific"},
+                              {"title", "remapped code"},
+                              {"takes", remapped.second},
+                              {"exclusive", remapped.first.front() == 'G'}};
   }
   if (made.empty())
     return std::nullopt;

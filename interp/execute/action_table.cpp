@@ -184,7 +184,8 @@ struct Execution::Actions {
       {Action::ModesForgotten, Phase::Early, does<&Execution::forgetModes>},
       {Action::ModesRestored, Phase::Early, does<&Execution::restoreModes>},
       {Action::ModesRestoredAtReturn, Phase::Early, does<&Execution::keepModesOverReturn>},
-      {Action::MachineSpecific, Phase::Early, does<&Execution::turnAnything>},
+      {Action::MachineSpecific, Phase::Early, does<&Execution::turnAnything>, silent,
+       AxisWords::TakenInBlock, may<&Execution::runUnknown>},
   };
 
   static constexpr auto byAction() {

@@ -196,6 +196,7 @@ private:
   static constexpr int32_t curvePoint = 0x7FFFFF00;
   void machineMove(uint16_t axes);
   bool referenceReturn(const CodeUse &use, uint16_t axes);
+  bool runUnknown(const CodeUse &use, uint16_t axes);
   bool referenceFrom(const CodeUse &use, uint16_t axes);
   bool skipMove(const CodeUse &use, uint16_t axes);
   void endCurve(const CodeUse &use);

@@ -208,6 +208,18 @@ void Execution::orientSpindle(const CodeUse &use) {
 /// The machine's builder knows what the code does.
 void Execution::turnAnything(const CodeUse &) { turnAnySpindle(); }
 
+/// A G code that a remap makes takes the words that it names: where the tool is after it is not
+/// known.
+bool Execution::runUnknown(const CodeUse &use, uint16_t axes) {
+  const CodeInfo &code = info(use);
+  if (!code.exclusive || !axes)
+    return false;
+  for (Interval &place : state_.position)
+    place = Interval::unknown();
+  state_.fedFrom.forget();
+  return true;
+}
+
 void Execution::turnAnySpindle() {
   state_.spindle = spindleAny;
   if (!hasOneSpindle(dialect_))

@@ -41,11 +41,12 @@ public:
   void finish(const FileSummary &, RuleContext &ctx) const override {
     if (memory().joins && memory().other.size() == 1)
       tellRadius(memory().other.begin()->second, ctx);
-    if (!memory().joins || memory().turned.size() != 1)
+    if (!(memory().joins || ctx.dialect().isLathe()) || memory().turned.size() != 1)
       return;
     if (auto finding = ctx.report(memory().turned.begin()->second))
       finding.message("the arc makes a corner at both of its ends, and joins them smoothly when "
-                      "it is turned the other way round, as the others of the file are");
+                      "it is turned the other way round{0}",
+                      memory().joins ? ", as the others of the file are" : "");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -73,11 +74,17 @@ public:
     if (!ahead.next())
       return;
     const auto after = directionAt(ahead.executed(), false);
-    if (!after || end.dot(*after) > cosine_)
+    const bool turnsAtEnd = after && end.dot(*after) <= cosine_;
+    if (!turnsAtEnd && !isLong(event, ctx))
       return;
     const auto before = directionBefore(ctx);
-    if (!before || before->dot(begin) > cosine_)
+    const bool turnsAtBegin = before && before->dot(begin) <= cosine_;
+    if (!(turnsAtEnd && turnsAtBegin)) {
+      if (isLong(event, ctx) && ((turnsAtEnd && end.dot(*after) < -smooth) ||
+                                 (turnsAtBegin && before->dot(begin) < -smooth)))
+        atOneEnd(event, turnsAtEnd, ctx);
       return;
+    }
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
           .message("`{0}` turns back at both ends of this arc: the path runs into it and out of it "
@@ -124,6 +131,26 @@ private:
                       "way round",
                       ctx.code(event).name, shortNumber(radius - (*centre)[x]));
     return true;
+  }
+
+  /// Well over half a turn, and less than a whole one: the other way round it is a short arc.
+  static bool isLong(const Event &event, const RuleContext &ctx) {
+    constexpr double sineOfMore = 0.34; // of 200 degrees, without its sign
+    const ArcGeometry &arc = ctx.arc();
+    const auto centre = arc.centre();
+    if (!arc.start || !arc.end || !centre)
+      return false;
+    const Vector from = *arc.start - *centre, to = *arc.end - *centre;
+    const double sine = cross(from, to) * (event.motion == MotionKind::ArcCw ? -1 : 1);
+    return sine < -sineOfMore * from.norm() * to.norm();
+  }
+
+  /// A lead-in or a lead-out: the line beside it runs straight against the arc.
+  static void atOneEnd(const Event &event, bool atEnd, RuleContext &ctx) {
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.message("this arc of `{0}` goes more than half round, and the path turns straight "
+                      "back at its {1}: the other way round it is a short arc that joins it",
+                      ctx.code(event).name, atEnd ? "end" : "begin");
   }
 
   AddressMask planeWords(const RuleContext &ctx) const {

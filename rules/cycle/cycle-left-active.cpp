@@ -51,6 +51,7 @@ public:
     to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
     onlyWhereRun_ = to.flag("onlyWhereRun");
     machineMoveTold_ = to.flag("machineMoveTold");
+    endEnds_ = to.flag("endEnds");
     if (to.flag("referenceStops"))
       to.onAction({Action::ReferenceReturn, Action::ReferenceFrom, Action::ReferenceCheck});
   }
@@ -59,6 +60,8 @@ public:
     const MachineState &before = ctx.before();
     const Dialect &dialect = ctx.dialect();
     if (before.profile != ProfileMode::Off)
+      return;
+    if (endEnds_ && event.kind == EventKind::ProgramEnd)
       return;
     if (event.kind == EventKind::CallReturned) {
       afterCall(ctx);
@@ -413,6 +416,7 @@ private:
   }
   AfterCalls afterCalls_;
   bool machineMoveTold_ = false; ///< of a machine position under a cycle the table speaks
+  bool endEnds_ = false;         ///< the end of the program ends cycles
   bool onlyWhereRun_ = false;    ///< told only where the next position would run it
 
   /// Codes beside which an active cycle makes nothing.

@@ -34,6 +34,7 @@ public:
       sleepAtBlock();
       wordsBeside(ctx.block().items[event.item()], ctx);
       fewerThanOthers(ctx.block().items[event.item()], ctx);
+      numberForVariable(ctx.block().items[event.item()], ctx);
       return atDefinition(ctx.block().items[event.item()], ctx);
     case EventKind::Syntax: {
       const SyntaxIssue &issue = ctx.block().issues[event.issue()];
@@ -211,6 +212,41 @@ private:
             .message("this call gives {0} arguments and all others {1}: the subprogram works with "
                      "#{2}, which is 0 in it",
                      given, most, place);
+      return;
+    }
+  }
+
+  /// `call [#3016] [3017] [#3018]`: the number of a variable in a row of variables.
+  static void numberForVariable(const Item &item, RuleContext &ctx) {
+    constexpr double firstShared = 31; // those before are the program's own, and small numbers
+    if (item.kind != ItemKind::Call || !item.positional || item.arguments < 3)
+      return;
+    const Block &block = ctx.block();
+    const auto arguments = block.argumentsOf(item);
+    // The one operation of an argument: a number or a variable.
+    const auto only = [&](size_t at) -> const ExpressionOp * {
+      if (at >= arguments.size() || arguments[at].kind != ArgumentKind::Expression ||
+          arguments[at].expression >= block.expressions.size())
+        return nullptr;
+      const Expression &e = block.expressions[arguments[at].expression];
+      return e.count == 1 && !e.bad ? &block.operations[e.first] : nullptr;
+    };
+    const auto isVariable = [&](size_t at, double number) {
+      const ExpressionOp *const op = only(at);
+      return op && op->op == Op::Variable && double(uint64_t(op->value)) == number;
+    };
+    for (size_t i = 0; i < arguments.size(); ++i) {
+      const ExpressionOp *const op = only(i);
+      if (!op || op->op != Op::Number || op->value < firstShared ||
+          !(isVariable(i + 1, op->value + 1) || (i > 0 && isVariable(i - 1, op->value - 1))))
+        continue;
+      const SourceRange range = ctx.range(arguments[i]);
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message(
+                "`{0}` is a number in a row of variables: `#` is missing, and the program gets "
+                "the number itself",
+                ctx.text(range));
       return;
     }
   }

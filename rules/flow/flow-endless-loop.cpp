@@ -45,7 +45,7 @@ public:
     }
     if (event.flowIssue() != FlowIssue::EndlessLoop ||
         (restarts_ && ctx.outcome().flow.kind == FlowKind::Return) || goesOnInHead(ctx) ||
-        waitsForOthers(ctx) || pauses(ctx))
+        waitsForOthers(ctx) || pauses(ctx) || asksControl(ctx))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");
@@ -107,6 +107,15 @@ private:
     });
   }
   static constexpr uint64_t firstCommon = 100; ///< those before are the program's own
+
+  /// The head looks at a variable of the control, which was given a value before the loop.
+  bool asksControl(const RuleContext &ctx) const {
+    Block head;
+    readBlockAt(ctx.source(), ctx.index().reader(), ctx.flowRange().begin, head);
+    return llvm::any_of(head.items, [&](const Item &item) {
+      return item.condition != noExpression && isOfControl(variablesOf(item, head));
+    });
+  }
 
   /// Whether statements follow in the block that begins the loop: not all controls run them, and
   /// those that do may change there what decides.

@@ -4,9 +4,8 @@
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/next_station.h"
-#include "analyzer/facts/places_along.h"
+#include "analyzer/facts/rapid_to_chuck.h"
 #include "analyzer/facts/turned_pass.h"
-#include "analyzer/facts/turned_shape.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "formats/text/number_text.h"
@@ -36,12 +35,16 @@ public:
     if (ctx.block().has(letterAddress('F')) && withoutCode(event, ctx))
       return;
     if (lathe_) {
+      onAxis(event, ctx);
       intoTurned(event, ctx);
       throughTurned(event, ctx);
+      if (ctx.after().at(Axis::X).hi <= 0) // beside the work it does no harm
+        leavesDeep(event, ctx);
       towardsChuck(event, ctx);
       return alongWork(event, ctx);
     }
     if (isTurning(ctx)) {
+      onAxis(event, ctx);
       intoTurned(event, ctx);
       return throughTurned(event, ctx);
     }
@@ -50,7 +53,8 @@ public:
       memory().feedsRapids = true;
     alongOther(event, ctx);
     belowOthers(event, ctx);
-    if (!from.isConstant() && forNothing(event, ctx))
+    if (acrossWithFeed(event, ctx) ||
+        (!from.isConstant() && (forNothing(event, ctx) || leavesDeep(event, ctx))))
       return;
     if (!(event.axes & tool) || event.inMachineCoordinates() || !from.isConstant() ||
         !to.isConstant() || ctx.before().inMachineCoordinates(Axis::Z) ||
@@ -60,7 +64,8 @@ public:
         turnsWork(ctx.dialect(), ctx.after()))
       return;
     if (intoClamp(event, ctx) || outOfCut(event, ctx) || withFeed(event, ctx) ||
-        beforeHome(event, ctx) || forNothing(event, ctx) || slanting(event, ctx))
+        beforeHome(event, ctx) || forNothing(event, ctx) || slanting(event, ctx) ||
+        leavesDeep(event, ctx))
       return;
     // With a stock it is the end that counts, wherever the tool comes from.
     if (!top_ && (!wanted_ || event.axes != tool))
@@ -163,7 +168,7 @@ private:
         turnsWork(ctx.dialect(), ctx.after()) || hasWorkOfItsOwn(ctx) ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::No ||
-        !comesUpNext(ctx))
+        !(comesUpNext(ctx) || (hasCutAcross(ctx) && risesNext(ctx))))
       return false;
     if (auto finding = ctx.report(event))
       finding.message("this rapid move goes down to {0} below zero, and the tool comes up again "
@@ -193,22 +198,14 @@ private:
     return true;
   }
 
-  /// The next block feeds the tool in the plane, at the height where it is.
-  static bool cutsOnAcross(const RuleContext &ctx) {
-    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
-    BlocksAhead ahead(ctx);
-    Block next;
-    return ahead.next(next) && findCode(ctx.dialect(), next, {Action::Linear}) &&
-           axesOf(ctx.dialect(), next) && !(axesOf(ctx.dialect(), next) & ~plane);
-  }
-
   /// A turning tool comes at rapid from outside to below what is left of the work.
   void intoTurned(const Event &event, RuleContext &ctx) const {
     const Interval &from = ctx.before().at(Axis::X), &to = ctx.after().at(Axis::X);
     const bool along = event.axes == 1u << unsigned(Axis::Z);
     if (!(along || event.axes >> unsigned(Axis::X) & 1) || !from.isConstant() || !to.isConstant() ||
-        (along ? !leadsToChuck(ctx) : to.value() >= from.value()) || !event.certain ||
-        event.inMachineCoordinates() || hasWorkOfItsOwn(ctx) ||
+        (along ? ctx.after().at(Axis::Z).hi >= ctx.before().at(Axis::Z).lo
+               : to.value() >= from.value()) ||
+        !event.certain || event.inMachineCoordinates() || hasWorkOfItsOwn(ctx) ||
         ctx.before().profile != ProfileMode::Off)
       return;
     const auto left = along ? rapidPassInTurned(shapes_, ctx) : rapidIntoTurned(shapes_, ctx);
@@ -217,8 +214,10 @@ private:
                       shortNumber(*left));
   }
 
-  static bool leadsToChuck(const RuleContext &ctx) {
-    return ctx.after().at(Axis::Z).hi < ctx.before().at(Axis::Z).lo;
+  void onAxis(const Event &event, RuleContext &ctx) const {
+    const auto slip = rapidToChuck(shapes_, places_, event, ctx);
+    if (auto finding = slip ? ctx.report(event) : FindingBuilder())
+      finding.message(slip->what, shortLength(ctx, slip->length));
   }
 
   /// A lathe: after a pass along the work straight to the begin of a deeper one, through what was
@@ -228,17 +227,13 @@ private:
     if (!crossed)
       return;
     if (auto finding = ctx.report(event))
-      finding
-          .message("this rapid move leads through the diameter {0} that was just turned, at Z{1}: "
-                   "first Z, then X",
-                   shortNumber(crossed->pass.diameter), shortNumber(crossed->at))
+      finding.message(crossed->what, shortNumber(crossed->pass.diameter), shortNumber(crossed->at))
           .note(crossed->pass.range, "this cut leaves it");
   }
 
   /// A lathe: to the place where the program changes its tools, but for the sign of Z.
   static void towardsChuck(const Event &event, RuleContext &ctx) {
     constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-    constexpr unsigned habit = 2; // tools
     const Interval &to = ctx.after().at(Axis::Z);
     const Word *const x = ctx.block().find(letterAddress('X'));
     const Word *const z = ctx.block().find(letterAddress('Z'));
@@ -246,19 +241,7 @@ private:
         !z->isNumber() || z->value() >= 0 || !event.certain || event.inMachineCoordinates() ||
         ctx.before().profile != ProfileMode::Off || nextStation(ctx) != Station::Home)
       return;
-    unsigned others = 0;
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
-      const Word *const otherX = block.find(letterAddress('X'));
-      const Word *const otherZ = block.find(letterAddress('Z'));
-      if (block.begin == ctx.block().begin || !otherX || !otherZ || !otherX->isNumber() ||
-          !otherZ->isNumber() || otherX->value() != x->value())
-        continue;
-      if (otherZ->value() == z->value())
-        return;
-      others += otherZ->value() == -z->value();
-    }
-    if (others < habit)
+    if (!mirrorsOthers(ctx, x->value(), z->value()))
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` leads to the chuck: elsewhere the program goes to X{1} Z{2} before it "
@@ -286,42 +269,67 @@ private:
                       "it is not fed, it goes through at full speed");
   }
 
-  /// The next move leads away from the work in X, at rapid.
-  static bool retractsNext(const RuleContext &ctx) {
-    constexpr uint16_t x = 1u << unsigned(Axis::X);
-    BlocksAhead ahead(ctx);
-    Block next;
-    if (!ahead.next(next) || !(axesOf(ctx.dialect(), next) & x) ||
-        (hasMotionCode(ctx.dialect(), next) && !findCode(ctx.dialect(), next, {Action::Rapid})))
-      return false;
-    if (const Word *u = next.find(letterAddress('U')))
-      return u->isNumber() && u->value() > 0;
-    const Word *const word = next.find(letterAddress('X'));
-    const Interval &at = ctx.after().at(Axis::X);
-    return word && word->isNumber() && at.isConstant() && word->value() > at.value();
-  }
-
   /// `G43 H3 Z-50.` where the other tools come down to above zero: the sign is missing there.
   void belowOthers(const Event &event, RuleContext &ctx) const {
     const Interval &to = ctx.after().at(Axis::Z);
     if (!(event.axes >> unsigned(Axis::Z) & 1) || !to.isConstant() || to.value() >= 0 ||
         !event.certain || event.inMachineCoordinates() || !ctx.after().frames.empty() ||
-        ctx.before().may(Fact::UnknownCode) || !comesWithLength(ctx.dialect(), ctx.block()) ||
-        ctx.callDepth() > 0)
+        ctx.before().may(Fact::UnknownCode) || ctx.callDepth() > 0)
+      return;
+    if (!comesWithLength(ctx.dialect(), ctx.block()))
       return;
     if (!othersComeAbove(ctx)) {
-      if (isBelowAll(ctx))
-        if (auto finding = ctx.report(event))
-          finding.severity(Severity::Warning)
-              .message("the tool comes down at rapid to {0} below zero, which is deeper than "
-                       "anything that the program cuts",
-                       shortLength(ctx, -to.value()));
+      if (isBelowAll(ctx, 2))
+        deeperThanAll(event, ctx);
       return;
     }
     if (auto finding = ctx.report(event))
       finding.message("the tool comes down at rapid to {0} below zero, and all others of the "
                       "program to above it",
                       shortLength(ctx, -to.value()));
+  }
+
+  static void deeperThanAll(const Event &event, RuleContext &ctx) {
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("this rapid move ends {0} below zero, which is deeper than anything that the "
+                   "program cuts",
+                   shortLength(ctx, -ctx.after().at(Axis::Z).value()));
+  }
+
+  /// After a cut along Z alone to below everything, and nothing is cut there.
+  bool leavesDeep(const Event &event, RuleContext &ctx) const {
+    const Word *const z = ctx.block().find(letterAddress('Z'));
+    const MachineState &after = ctx.after();
+    if (event.axes != 1u << unsigned(Axis::Z) || !z || !z->isNumber() || z->value() >= 0 ||
+        !event.certain || event.inMachineCoordinates() || !after.frames.empty() ||
+        ctx.before().may(Fact::UnknownCode) || ctx.callDepth() > 0 ||
+        !ctx.before().must(Fact::CutSinceTool) || hasWorkOfItsOwn(ctx) ||
+        after.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) ==
+            Truth::Yes ||
+        !isBelowAll(ctx, 1) || !doesNothingHere(ctx))
+      return false;
+    deeperThanAll(event, ctx);
+    return true;
+  }
+
+  /// At a depth, in the plane, by a code for rapid moves and with a feed, and no other block of the
+  /// program has both: G01 was meant.
+  bool acrossWithFeed(const Event &event, RuleContext &ctx) const {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    const Interval &at = ctx.after().at(Axis::Z);
+    if (!isRapidWithFeed(ctx) || event.axes & ~plane || !event.certain || !at.isConstant() ||
+        at.value() >= 0 || event.inMachineCoordinates() || !ctx.after().frames.empty() ||
+        ctx.after().inMachineCoordinates(Axis::Z) || ctx.before().may(Fact::UnknownCode) ||
+        turnsWork(ctx.dialect(), ctx.after()) || hasWorkOfItsOwn(ctx) || ctx.callDepth() > 0 ||
+        places_.of(ctx).fedRapids != 1)
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "this rapid move at {0} below zero has a feed, as no other of the program: the "
+          "tool is not fed, it goes through at full speed",
+          shortLength(ctx, -at.value()));
+    return true;
   }
 
   /// The block puts a length in force, and says how low the tool goes with it.
@@ -331,11 +339,11 @@ private:
            !findCode(dialect, block, {Action::Incremental, Action::Linear, Action::MachineMove});
   }
 
-  /// All other places of the program along Z are above that of the block, and some block cuts.
-  bool isBelowAll(const RuleContext &ctx) const {
+  /// The place of the block along Z is so many times as deep as all others of the program.
+  bool isBelowAll(const RuleContext &ctx, double times) const {
     const auto &[first, second] = places_.of(ctx).lowest;
     const double here = ctx.block().find(letterAddress('Z'))->value();
-    return here <= first && second < 0 && here < 2 * second;
+    return here <= first && second < 0 && here < times * second;
   }
 
   /// At least two tools of the program come to above zero with their length, and but this one none
@@ -472,18 +480,6 @@ private:
       if ((stock.min[i] && at.hi <= *stock.min[i]) || (stock.max[i] && at.lo >= *stock.max[i]))
         return true;
     }
-    return false;
-  }
-
-  /// Without a stock: the next move leads up again from there, so that the tool has not gone past
-  /// the part. Where no move follows, nothing is known of it.
-  static bool cutsAcross(const RuleContext &ctx) {
-    constexpr unsigned furthest = 8; // blocks
-    BlocksAhead ahead(ctx);
-    Block next;
-    for (unsigned i = 0; i < furthest && ahead.next(next); ++i)
-      if (namesAxes(ctx.dialect(), next))
-        return !(axesOf(ctx.dialect(), next) & (1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y)));
     return false;
   }
 

@@ -52,7 +52,9 @@ public:
     // After a cut, or lifted from it by too little.
     if (before.must(Fact::AwayFromPart) && (to.value() >= 0 || staysWhereItHasCut(after)))
       return;
-    if (toolMeasures(ctx, measuring_) || liftsOff(before, after)) // it touches, and cuts nothing
+    // It touches, and cuts nothing; or a post-processor feeds it on the way up.
+    if (toolMeasures(ctx, measuring_) || liftsOff(before, after) ||
+        (from.value() > 0 && roseByFeed(ctx)))
       return;
     if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown)) {
       finding.message("rapid in the plane at depth {0}: the tool was fed in from {1}",
@@ -140,6 +142,23 @@ private:
            !(axesOf(ctx.dialect(), next) >> unsigned(Axis::Z) & 1) &&
            !findCode(ctx.dialect(), next, {Action::CompensationOff}) &&
            findCode(ctx.dialect(), next, {Action::Linear, Action::ArcCw, Action::ArcCcw});
+  }
+
+  /// The block before leads up along Z by a feed move.
+  static bool roseByFeed(const RuleContext &ctx) {
+    constexpr uint16_t alongZ = 1u << unsigned(Axis::Z);
+    constexpr unsigned furthest = 8; // blocks
+    Block block;
+    if (!readPrevious(ctx, block) || axesOf(ctx.dialect(), block) != alongZ)
+      return false;
+    const Word *const to = block.find(letterAddress('Z'));
+    if (!to || !to->isNumber())
+      return false;
+    const double height = to->value();
+    for (unsigned i = 0; i < furthest && readBack(ctx, block); ++i)
+      if (const Word *const from = block.find(letterAddress('Z')))
+        return from->isNumber() && from->value() < height;
+    return false;
   }
 
   /// A called program has left the tool down there, and the move leads out of what it has cut.

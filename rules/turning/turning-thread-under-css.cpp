@@ -23,6 +23,9 @@ public:
                               : event.motion == MotionKind::Thread;
     if (!thread && !mayDrill(event, code, ctx))
       return sleepInShape();
+    // The driven tool turns, and what the work's spindle does is of no interest.
+    if (cycle && taps(code.cycle) && (state.liveTool & (spindleCw | spindleCcw)))
+      return;
     if (!thread && !isOnAxis(state))
       return;
     if (state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)

@@ -7,9 +7,9 @@
 namespace ncvet {
 namespace {
 
-/// The unknown codes of a program in `programs/`, beside an INI file of this text in the folder
+/// What is found in a program in `programs/`, beside an INI file of this text in the folder
 /// above.
-std::vector<std::string> unknownBeside(const std::string &ini, const std::string &text) {
+std::vector<CheckedFinding> findingsBeside(const std::string &ini, const std::string &text) {
   test::TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "programs");
   std::ofstream((folder.path() / "machine.ini").string()) << ini;
@@ -26,11 +26,24 @@ std::vector<std::string> unknownBeside(const std::string &ini, const std::string
   }
   const FileOutcome outcome = checkFile(session, sources, **source);
   EXPECT_EQ("", outcome.error);
+  return {outcome.findings.begin(), outcome.findings.end()};
+}
+
+std::vector<std::string> unknownBeside(const std::string &ini, const std::string &text) {
   std::vector<std::string> unknown;
-  for (const CheckedFinding &found : outcome.findings)
+  for (const CheckedFinding &found : findingsBeside(ini, text))
     if (allRules()[found.finding.rule].info.id.startswith("block-un"))
       unknown.push_back(found.finding.message.substr(0, found.finding.message.find(' ')));
   return unknown;
+}
+
+/// The errors and warnings.
+std::vector<std::string> foundBeside(const std::string &ini, const std::string &text) {
+  std::vector<std::string> messages;
+  for (const CheckedFinding &found : findingsBeside(ini, text))
+    if (found.finding.severity != Severity::Style)
+      messages.push_back(found.finding.message);
+  return messages;
 }
 
 const char *const program = "G21 G90\nM428 P1\nG88.1 X3\nM2\n";
@@ -48,6 +61,11 @@ TEST(Remaps, CodesOfLinesThatAreOutOfUseStayUnknown) {
   EXPECT_EQ(
       (std::vector<std::string>{"`G88.1`"}),
       unknownBeside("REMAP=M428 modalgroup=10 ngc=switch\n# REMAP=G88.1 ngc=bore\n", program));
+}
+
+TEST(Remaps, ACodeOfTheIniFileTakesTheAxisWordsThatItNames) {
+  const std::string ini = "REMAP=G88.1 modalgroup=1 argspec=XYZP ngc=bore\n";
+  EXPECT_EQ((std::vector<std::string>{}), foundBeside(ini, "F60 S2000 M3\nG88.1 X0 Y2\nM2\n"));
 }
 
 } // namespace
