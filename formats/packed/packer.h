@@ -57,7 +57,7 @@ private:
     else if constexpr (std::is_integral_v<T>) // the sign is the last bit
       number(uint64_t(int64_t(value)) << 1 ^ uint64_t(int64_t(value) >> 63));
     else if constexpr (!std::is_pointer_v<T>) // who points is told again after unpacking
-      visitMembers(value, [this](const auto &...members) { all(members...); });
+      visitMembers(value, [this](const auto &...members) { this->all(members...); });
   }
   void one(double value) {
     if (value == 0 && !std::signbit(value)) {
@@ -108,7 +108,7 @@ private:
   template <typename A, typename B>
   void one(const std::variant<A, B> &value) {
     byte(uint8_t(value.index()));
-    std::visit([this](const auto &held) { one(held); }, value);
+    std::visit([this](const auto &held) { this->one(held); }, value);
   }
   template <typename T>
   void one(const std::map<std::string, T> &map) {
@@ -166,7 +166,7 @@ private:
       const uint64_t folded = number();
       value = T(int64_t(folded >> 1 ^ (0 - (folded & 1))));
     } else if constexpr (!std::is_pointer_v<T>) {
-      visitMembers(value, [this](auto &...members) { all(members...); });
+      visitMembers(value, [this](auto &...members) { this->all(members...); });
     }
   }
   void one(double &value) {
