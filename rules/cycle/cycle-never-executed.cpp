@@ -108,9 +108,10 @@ private:
   static void positionsLost(RuleContext &ctx) {
     constexpr unsigned furthest = 60; // blocks
     const Dialect &dialect = ctx.dialect();
-    if (ctx.before().cycleActive(dialect) != Truth::No || ctx.before().may(Fact::UnknownCode))
-      return;
     constexpr AddressMask plane = maskOf(letterAddress('X')) | maskOf(letterAddress('Y'));
+    if (ctx.block().hasAny(plane) || ctx.before().cycleActive(dialect) != Truth::No ||
+        ctx.before().may(Fact::UnknownCode))
+      return;
     Block block;
     SourceRange ends{};
     std::string by;
