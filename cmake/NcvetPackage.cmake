@@ -7,7 +7,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # the tests are in no package
 find_library(NCVET_STATIC_Z NAMES libz.a)
 find_library(NCVET_STATIC_TINFO NAMES libtinfo.a)
 set(layers ncvet_lsp ncvet_rules ncvet_check ncvet_analyzer ncvet_reports ncvet_interp ncvet_readers
-           ncvet_dialect ncvet_finding ncvet_text)
+           ncvet_packed ncvet_dialect ncvet_finding ncvet_text)
 add_executable(ncvet_static EXCLUDE_FROM_ALL $<TARGET_OBJECTS:ncvet>)
 foreach(layer IN LISTS layers)
   target_link_libraries(ncvet_static PRIVATE $<TARGET_FILE:${layer}>)
@@ -15,8 +15,9 @@ endforeach()
 add_dependencies(ncvet_static ncvet ${layers})
 target_link_libraries(ncvet_static PRIVATE $<TARGET_FILE:LLVMSupport> $<TARGET_FILE:LLVMDemangle>
                       ${NCVET_RE2} ${NCVET_STATIC_Z} ${NCVET_STATIC_TINFO})
-# The linker warns of lookups of users by name, which a home folder that HOME names does not need.
-target_link_options(ncvet_static PRIVATE -static -Wl,--no-warnings)
+# The linker warns of lookups of users by name, which a home folder that HOME names does not need. It is
+# not told to be silent: then it says nothing of a layer that is missing above either.
+target_link_options(ncvet_static PRIVATE -static)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR ncvet)
