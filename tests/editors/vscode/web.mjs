@@ -15,10 +15,9 @@ editor.write('O0100.nc', drilling.map((line) => line.replace('N60 X30.', 'N60 M9
 editor.write('O0200.nc', ['%', 'O0200 (SUB)', 'N10 X20. Y20.', 'N20 T2 M06', 'N30 M99', '%']);
 
 try {
-  await editor.start(plan.packed, {});
+  await editor.start(plan.packed, {}, true);
   await editor.open('O0100.nc');
   await until('the control', async () => (await editor.control())?.includes('FANUC mill'));
-  await until('findings of the program', async () => (await editor.findings('O0100.nc')).length > 0);
   // The worker has a copy of the program that is called.
   await until('findings of the closed file', async () => (await editor.findings('O0200.nc')).includes('4 cycle-left-active'));
   await editor.ask(`const edit = new vscode.WorkspaceEdit(); edit.insert(vscode.window.activeTextEditor.document.uri,
@@ -34,7 +33,7 @@ try {
   const view = await editor.view('#tool-path');
   await until('the drawing', () => view.evaluate(() => globalThis.ncvet.pathPane.corners > 0));
   await editor.shoot(path.join(pictures, 'path-in-a-browser.png'));
-  await editor.command('ncvet.explainRule');
+  await editor.command('ncvet.explain', 'cycle-left-active');
   await until('the text of a page', () => editor.ask(`return vscode.workspace.textDocuments.some((one) =>
     one.uri.scheme === 'ncvet-rule' && one.getText().includes('Why it matters at the machine')) ||
     vscode.window.tabGroups.all.flatMap((group) => group.tabs).some((tab) => /Preview/.test(tab.label))`));
