@@ -156,14 +156,8 @@ private:
 
   static void look(const Block &block, Sisters &sisters) {
     const auto lettersOf = [&](uint16_t expression) {
-      uint32_t letters = 0;
-      if (expression < block.expressions.size()) {
-        const Expression &e = block.expressions[expression];
-        for (const ExpressionOp &op : llvm::makeArrayRef(block.operations).slice(e.first, e.count))
-          if (op.op == Op::Variable)
-            letters |= letterOf(uint64_t(op.value));
-      }
-      return letters;
+      return uint32_t(
+          setOf(block, expression, [](uint64_t variable) { return letterOf(variable); }));
     };
     for (const Item &item : block.items) {
       if (item.kind == ItemKind::Assignment) {
@@ -279,14 +273,20 @@ private:
   }
 
   static uint64_t placesIn(const Block &block, uint16_t expression) {
-    uint64_t places = 0;
+    return setOf(block, expression, placeOf);
+  }
+
+  /// The bits that `bitOf` has for the variables of an expression.
+  static uint64_t setOf(const Block &block, uint16_t expression,
+                        llvm::function_ref<uint64_t(uint64_t variable)> bitOf) {
+    uint64_t bits = 0;
     if (expression < block.expressions.size()) {
       const Expression &e = block.expressions[expression];
       for (const ExpressionOp &op : llvm::makeArrayRef(block.operations).slice(e.first, e.count))
         if (op.op == Op::Variable)
-          places |= placeOf(uint64_t(op.value));
+          bits |= bitOf(uint64_t(op.value));
     }
-    return places;
+    return bits;
   }
 
   static uint32_t letterOf(uint64_t variable) {

@@ -1,26 +1,15 @@
 """How many lines each function has, from its name to its closing brace, lambdas inside it included."""
 import collections
-import subprocess
+
+from tags import tags
 
 Function = collections.namedtuple("Function", "name path line length")
 
 
 def all_functions(paths, root):
-    """Universal Ctags reads the files: it knows where a function ends."""
-    done = subprocess.run(
-        ["ctags", "--languages=C++", "--language-force=C++", "--kinds-C++=f", "--fields=+neZ", "-f", "-", "-L", "-"],
-        cwd=root,
-        input="\n".join(paths),
-        capture_output=True,
-        text=True,
-        errors="replace",
-        check=True,
-    )
+    """Universal Ctags knows where a function ends."""
     functions = []
-    for tag in done.stdout.splitlines():
-        if tag.startswith("!"):
-            continue
-        name, path, rest = tag.split("\t", 2)
+    for name, path, rest in tags(paths, root, "--kinds-C++=f", "--fields=+neZ"):
         fields = dict(f.split(":", 1) for f in rest.partition(';"\t')[2].split("\t") if ":" in f)
         line = int(fields["line"])
         if name.startswith("__anon") and "scope" in fields:

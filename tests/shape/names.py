@@ -3,9 +3,9 @@ the same batch, brings them by chance."""
 import collections
 import pathlib
 import re
-import subprocess
 
 from includes import INCLUDE
+from tags import tags
 
 OUTSIDE = re.compile(r"^\s*#\s*include\s*[<\"]([^>\"]+)[>\"]", re.M)
 # Comments and texts, which name things without using them.
@@ -83,20 +83,8 @@ class Headers:
 
 def declared(paths, root):
     """Path -> all names that it declares; name -> the headers that declare it for others, and whether it is a function."""
-    done = subprocess.run(
-        ["ctags", "--languages=C++", "--language-force=C++", "--kinds-C++=+pxlzN", "--fields=+Ks", "-f", "-", "-L", "-"],
-        cwd=root,
-        input="\n".join(paths),
-        capture_output=True,
-        text=True,
-        errors="replace",
-        check=True,
-    )
     inside, headers, functions = collections.defaultdict(set), collections.defaultdict(set), set()
-    for tag in done.stdout.splitlines():
-        if tag.startswith("!"):
-            continue
-        name, path, rest = tag.split("\t", 2)
+    for name, path, rest in tags(paths, root, "--kinds-C++=+pxlzN", "--fields=+Ks"):
         kind, *fields = rest.partition(';"\t')[2].split("\t")
         inside[path].add(name)
         outer = [field.partition(":")[2] for field in fields if field.startswith("namespace:")]
