@@ -32,10 +32,10 @@ std::vector<std::string> wordsOf(const std::string &line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// The lines of a table of tests/shape, as words; comments and empty lines left out.
-std::vector<std::vector<std::string>> tableOf(const std::string &name) {
+/// The lines of the table of rooms, as words; comments and empty lines left out.
+std::vector<std::vector<std::string>> tableOfRooms() {
   std::vector<std::vector<std::string>> rows;
-  std::ifstream stream(fs::path(ncvet::places::sourceFolder()) / "tests/shape" / name);
+  std::ifstream stream(fs::path(ncvet::places::sourceFolder()) / "tests/shape/rooms.txt");
   for (std::string line; std::getline(stream, line);)
     if (std::vector<std::string> words = wordsOf(line); !words.empty())
       rows.push_back(std::move(words));
@@ -50,7 +50,7 @@ bool isIn(std::string_view path, std::string_view folder) {
 const std::vector<Layer> &layers() {
   static const std::vector<Layer> table = [] {
     std::vector<Layer> rooms;
-    for (const std::vector<std::string> &words : tableOf("rooms.txt")) {
+    for (const std::vector<std::string> &words : tableOfRooms()) {
       Layer &room = rooms.emplace_back();
       room.folder = words[0] + "/";
       for (size_t i = 2; i < words.size(); ++i) // after `not`
@@ -60,11 +60,6 @@ const std::vector<Layer> &layers() {
                          [&](const std::string &never) { return isIn(above.folder, never); }))
           room.mayInclude.insert(above.folder);
     }
-    for (const std::vector<std::string> &words : tableOf("exceptions.txt"))
-      if (words[0] == "arrow")
-        for (Layer &room : rooms)
-          if (room.folder == words[1] + "/")
-            room.mayInclude.insert(words[2] + "/");
     return rooms;
   }();
   return table;
