@@ -1,21 +1,14 @@
 // An offset number that is not the tool's own.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/wanted_blocks.h"
-#include "analyzer/rule/text_answers.h"
+#include "analyzer/facts/offset_habits.h"
 #include "formats/dialect/control_facts.h"
-
-#include <set>
 
 namespace ncvet {
 namespace {
 
 struct ToolOffsetMismatchMemory {
-  bool read = false;
-  std::set<int64_t> tools;  ///< numbers of the T words of the file
-  std::set<int64_t> keep;   ///< tools of the file with an H of their own number
-  std::set<int64_t> others; ///< tools of the file with an H of another number
-  SourceRange waits;        ///< an edge that is programmed while its tool waits for its change
+  SourceRange waits; ///< an edge that is programmed while its tool waits for its change
 };
 
 class ToolOffsetMismatch final : public StatefulRule<ToolOffsetMismatchMemory> {
@@ -59,11 +52,11 @@ public:
     const int32_t tool = state.tool != notSet ? state.tool : state.preselected;
     if (!event.offset().isConstant() || tool <= 0 || event.offset().value() == 0 ||
         event.offset().value() == tool ||
-        (onlyOtherTools_ && !isTool(int64_t(event.offset().value()), ctx) &&
-         !breaksHabit(word, ctx)))
+        (onlyOtherTools_ && !habits_.isTool(int64_t(event.offset().value()), ctx) &&
+         !habits_.breaksHabit(word, ctx)))
       return;
     if (auto finding = ctx.report(word)) {
-      if (isLengthOfOther(word, int64_t(event.offset().value()), ctx) || isSlip(word, ctx))
+      if (habits_.isLengthOfOther(word, ctx) || habits_.isSlip(word, ctx))
         finding.severity(Severity::Warning);
       if (isOfWaiting(event, ctx)) {
         finding.severity(Severity::Warning)
@@ -87,22 +80,7 @@ public:
 private:
   /// `G44 H2` where all other tools have G43.
   void subtracted(const Event &event, RuleContext &ctx) const {
-    const uint32_t program = ctx.index().programAt(ctx.block().begin).begin;
-    const bool only = subtracts_.of({ctx.source().id(), program}, [&] {
-      std::set<int64_t> plus, minus;
-      for (const Block &block :
-           blocksNaming(ctx.index(), ctx.index().programAt(program), ctx.dialect(),
-                        {Action::LengthPositive, Action::LengthNegative})) {
-        const CodeInfo *const code =
-            findCode(ctx.dialect(), block, {Action::LengthPositive, Action::LengthNegative});
-        const Word *const number = block.find(letterAddress('H'));
-        if (code)
-          (code->action == Action::LengthPositive ? plus : minus)
-              .insert(number && number->isNumber() ? int64_t(number->value()) : -1);
-      }
-      return minus.size() == 1 && plus.size() >= 2 && !plus.count(*minus.begin());
-    });
-    if (!only)
+    if (!habits_.subtractsOnce(ctx))
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding.severity(Severity::Warning)
@@ -110,9 +88,6 @@ private:
                    "the tool goes too deep by twice its length",
                    ctx.text(*event.word));
   }
-
-  /// By file and program: one block subtracts a length, and others add theirs.
-  TextAnswers<std::pair<FileId, uint32_t>, bool> subtracts_;
 
   /// `T0305` on a lathe: station and offset.
   void station(const Event &event, RuleContext &ctx) const {
@@ -124,8 +99,7 @@ private:
     if (tool == offset || offset == 0 || tool > 99 ||
         (ownStep_ > 0 && (offset - tool) % ownStep_ == 0))
       return;
-    const bool slip =
-        slips_.of({ctx.source().id(), whole}, [&] { return isOnlySlip(tool, offset, ctx); });
+    const bool slip = habits_.isOnlyStation(tool, offset, ctx);
     if (onlyOtherTools_ && !slip)
       return;
     if (auto finding = ctx.report(word)) {
@@ -145,7 +119,7 @@ private:
   /// that of a compensation counts when it is the number of a tool of the file.
   bool isOfEdge(const Event &event, const RuleContext &ctx) const {
     return !radiusOfTool_ || !event.offset().isConstant() ||
-           !isTool(int64_t(event.offset().value()), ctx) ||
+           !habits_.isTool(int64_t(event.offset().value()), ctx) ||
            llvm::none_of(ctx.codes(), [&](const CodeUse &use) {
              return addressesOf(ctx.code(use), Role::Offset) & maskOf(event.word->address);
            });
@@ -216,90 +190,7 @@ private:
     return true; // the text does not tell
   }
 
-  /// Whether a T word of the file has the number.
-  bool isTool(int64_t number, const RuleContext &ctx) const {
-    return numbersOfFile(ctx).tools.count(number) != 0;
-  }
-
-  /// `T0305` where at least three other stations have the offsets of their own numbers, this one
-  /// never has, and no other has another.
-  static bool isOnlySlip(int64_t tool, int64_t offset, const RuleContext &ctx) {
-    constexpr size_t habit = 3; // stations
-    std::set<int64_t> own;
-    for (const ProgramInfo &program : ctx.index().programs())
-      for (const Block &block : blocksWith(ctx.index(), program, maskOf(letterAddress('T')))) {
-        const Word *const word = block.find(letterAddress('T'));
-        if (!word || !word->isNumber() || word->value() < 100 || word->value() > 9999)
-          continue;
-        const auto whole = int64_t(word->value());
-        if (whole % 100 == 0)
-          continue;
-        if (whole / 100 == whole % 100)
-          own.insert(whole % 100);
-        else if (whole / 100 != tool || whole % 100 != offset)
-          return false;
-      }
-    return own.size() >= habit && !own.count(tool);
-  }
-
-  /// The tool of that number has the length for itself, and all others have their own.
-  bool isLengthOfOther(const Word &word, int64_t number, const RuleContext &ctx) const {
-    if (word.address != letterAddress('H'))
-      return false;
-    const Memory &known = numbersOfFile(ctx);
-    return known.keep.count(number) && known.others.size() == 1;
-  }
-
-  /// The lengths of at least three others are their own, and a second length of this tool it is
-  /// not.
-  bool isSlip(const Word &word, const RuleContext &ctx) const {
-    constexpr size_t sure = 3; // tools
-    constexpr int64_t ten = 10;
-    if (word.address != letterAddress('H') || !word.isNumber())
-      return false;
-    const Memory &known = numbersOfFile(ctx);
-    return known.others.size() == 1 && known.keep.size() >= sure &&
-           !known.keep.count(*known.others.begin()) &&
-           (int64_t(word.value()) - *known.others.begin()) % ten != 0;
-  }
-
-  /// The lengths of all other tools of the file, two at least, have the numbers of their tools:
-  /// what is a shop's scheme elsewhere is a slip here. A second length of a tool often lies tens
-  /// above its first one.
-  bool breaksHabit(const Word &word, const RuleContext &ctx) const {
-    constexpr size_t habit = 2, sure = 3; // tools
-    constexpr int64_t ten = 10;
-    if (word.address != letterAddress('H'))
-      return false;
-    const Memory &known = numbersOfFile(ctx);
-    return known.others.size() == 1 &&
-           (known.keep.size() >= sure ||
-            (known.keep.size() >= habit && (int64_t(word.value()) - *known.others.begin()) % ten));
-  }
-
-  /// The numbers of T and H, by a look at the whole file, once.
-  const Memory &numbersOfFile(const RuleContext &ctx) const {
-    Memory &known = memory();
-    if (std::exchange(known.read, true))
-      return known;
-    for (const ProgramInfo &program : ctx.index().programs()) {
-      int64_t inUse = 0;
-      constexpr AddressMask wanted = maskOf(letterAddress('T')) | maskOf(letterAddress('H'));
-      for (const Block &block : blocksWith(ctx.index(), program, wanted)) {
-        if (const Word *tool = block.find(letterAddress('T')); tool && tool->isNumber()) {
-          inUse = int64_t(tool->value());
-          known.tools.insert(inUse);
-        }
-        const Word *length = block.find(letterAddress('H'));
-        if (inUse > 0 && length && length->isNumber() && length->value() != 0)
-          (int64_t(length->value()) == inUse ? known.keep : known.others).insert(inUse);
-      }
-    }
-    return known;
-  }
-
-  /// By file and T word: it is the only one that is not of its own tool.
-  TextAnswers<std::pair<FileId, int64_t>, bool> slips_;
+  OffsetHabits habits_;
   bool onlyOtherTools_ = false; ///< numbers that no tool of the file has are a shop's scheme
   int64_t ownStep_ = 0;         ///< offsets of one tool lie so far apart; 0: a tool has one
 };
