@@ -327,7 +327,7 @@ constexpr Field codeFields[] = {
                              "\"canned\""),
     field<&CodeInfo::arguments>("arguments", whole(0, 100),
                                 "most arguments that its call takes; 0: not limited", "11"),
-    field<&CodeInfo::storedAt>("storedAt", whole(0, 999999),
+    field<&CodeInfo::storedAt>("storedAt", wholeNumber,
                                "first variable of the place to which it leads or that it stores",
                                "5161"),
     special<&DialectBuilder::readWords>(

@@ -43,18 +43,17 @@ constexpr RecordOf<Dialect> toolRadiusRecord{
     "toolRadius", "where a program itself sets the radius that compensation uses",
     toolRadiusFields};
 
-constexpr Shape variableNumber = whole(0, 999999);
 constexpr Field zeroFields[] = {
-    field<&ZeroVariables::systems>("systems", variableNumber,
+    field<&ZeroVariables::systems>("systems", wholeNumber,
                                    "first variable of the first work "
                                    "offset",
                                    "5221"),
-    field<&ZeroVariables::step>("step", variableNumber, "from one work offset to the next", "20"),
-    field<&ZeroVariables::preset>("preset", variableNumber,
+    field<&ZeroVariables::step>("step", wholeNumber, "from one work offset to the next", "20"),
+    field<&ZeroVariables::preset>("preset", wholeNumber,
                                   "first variable of the shift over all work offsets", "5211"),
-    field<&ZeroVariables::presetOn>("presetOn", variableNumber,
+    field<&ZeroVariables::presetOn>("presetOn", wholeNumber,
                                     "variable that is 1 where that shift is in force", "5210"),
-    field<&ZeroVariables::length>("length", variableNumber,
+    field<&ZeroVariables::length>("length", wholeNumber,
                                   "first variable of the length offset in force", "5401"),
 };
 constexpr RecordOf<ZeroVariables> zeroRecord{
@@ -75,7 +74,7 @@ constexpr Field variableFields[] = {
                               "beginnings of names of variables that a program cannot write",
                               R"(["V1025"])"),
     field<&Dialect::readOnlyNumbers>(
-        "readOnlyNumbers", listOf(variableNumber),
+        "readOnlyNumbers", listOf(wholeNumber),
         "first and last number of each range of `#` that a program cannot write", "[1000, 1098]"),
     field<&Dialect::machineData>(
         "machineData", texts, "beginnings of names of variables that hold for every later program",
@@ -85,17 +84,16 @@ constexpr Field variableFields[] = {
                                "prepares, before the moves written earlier are done",
                                R"(["$AA_", "$AC_"])"),
     field<&Dialect::variableRanges, &VariableRanges::lastLocal>(
-        "lastLocal", variableNumber, "`#1` up to this number belong to the running program", "30"),
+        "lastLocal", wholeNumber, "`#1` up to this number belong to the running program", "30"),
     field<&Dialect::variableRanges, &VariableRanges::lastCommon>(
-        "lastCommon", variableNumber, "from there up to this number all programs share them",
-        "5602"),
+        "lastCommon", wholeNumber, "from there up to this number all programs share them", "5602"),
     flag<&Dialect::variableRanges, &VariableRanges::namedLocal>(
         "namedLocal", "a variable with a name belongs to the running program, save `#<_name>`"),
     flag<&Dialect::localsBeginVacant>("localsBeginVacant",
                                       "false: a main program finds the values of the one before it",
                                       "false"),
     field<&Dialect::variableRanges, &VariableRanges::place>(
-        "place", variableNumber, "first of the variables that hold the tool's coordinates, X first",
+        "place", wholeNumber, "first of the variables that hold the tool's coordinates, X first",
         "5420"),
     special<&DialectBuilder::readShown>(
         "shown", mapOf(text),

@@ -8,8 +8,6 @@ namespace {
 
 using namespace shape;
 
-constexpr Shape count = whole(0, 999999);
-
 constexpr Field arcsFields[] = {
     flag<&ArcFacts::noFullCircle>("noFullCircle",
                                   "a full circle is not allowed, by its centre neither"),
@@ -37,11 +35,12 @@ constexpr Field compensationFields[] = {
     flag<&CompensationFacts::forbidsCycles>(
         "forbidsCycles", "drilling cycles and threads are forbidden under compensation"),
     field<&CompensationFacts::idleBlocksAfterApproach>(
-        "idleBlocksAfterApproach", count, "the same after a soft approach; 0: as elsewhere", "5"),
+        "idleBlocksAfterApproach", wholeNumber, "the same after a soft approach; 0: as elsewhere",
+        "5"),
     flag<&CompensationFacts::onlyInPlane>("onlyInPlane",
                                           "moves that leave the plane are not compensated"),
     field<&CompensationFacts::infeedMoves>(
-        "infeedMoves", count,
+        "infeedMoves", wholeNumber,
         "moves of the infeed axis alone that may follow each other; 0: they count as idle blocks",
         "1"),
     flag<&CompensationFacts::atEndsOfProfile>(
@@ -63,7 +62,7 @@ constexpr Field compensationFields[] = {
     flag<&CompensationFacts::exitByRapid>(
         "exitByRapid", "the manual wants the contour left at rapid, in the block that ends "
                        "compensation"),
-    field<&CompensationFacts::greatestTip>("greatestTip", count,
+    field<&CompensationFacts::greatestTip>("greatestTip", wholeNumber,
                                            "greatest nose direction that the control has", "8"),
     flag<&CompensationFacts::contourMeetsStart>(
         "contourMeetsStart",
@@ -145,7 +144,7 @@ constexpr Field cyclesFields[] = {
     flag<&CycleFacts::planeStatedFirst>("planeStatedFirst",
                                         "the program states the plane before its first cycle"),
     field<&CycleFacts::outlineMoves>(
-        "outlineMoves", count,
+        "outlineMoves", wholeNumber,
         "the contour that a milling cycle reads is a closed outline of moves alone, at most this "
         "many; 0: it is no outline",
         "40"),
@@ -172,8 +171,8 @@ constexpr Field feedFields[] = {
     flag<&FeedFacts::newAfterModeChange>("newAfterModeChange",
                                          "the control needs a new F after a change of its unit"),
     field<&FeedFacts::shortMoves>(
-        "shortMoves", count, "short moves in a row that ask for a continuous path; 0: not known",
-        "8"),
+        "shortMoves", wholeNumber,
+        "short moves in a row that ask for a continuous path; 0: not known", "8"),
     field<&FeedFacts::shortMoveLength>("shortMoveLength", numberFrom(0),
                                        "a move below this length, in millimetres, is short", "0.5"),
     field<&FeedFacts::smoothing>("smoothing", text,
@@ -190,33 +189,37 @@ constexpr Field limitsFields[] = {
     flag<&LimitFacts::repeatsWhole>("repeatsWhole",
                                     "the count of a repeat is a whole number from 1 on, which a "
                                     "function makes of a real variable"),
-    field<&LimitFacts::repeats>("repeats", count,
+    field<&LimitFacts::repeats>("repeats", wholeNumber,
                                 "repeats that the control takes at most; 0: any number", "9999"),
-    field<&LimitFacts::longestLabel>("longestLabel", count,
+    field<&LimitFacts::longestLabel>("longestLabel", wholeNumber,
                                      "longest label that the control takes; 0: any length", "32"),
-    field<&LimitFacts::toolDigits>("toolDigits", count,
+    field<&LimitFacts::toolDigits>("toolDigits", wholeNumber,
                                    "most digits of the tool number of a mill; 0: any number", "4"),
-    field<&LimitFacts::sectionElements>(
-        "sectionElements", count, "most elements of a section's profile; 0: any number", "100"),
+    field<&LimitFacts::sectionElements>("sectionElements", wholeNumber,
+                                        "most elements of a section's profile; 0: any number",
+                                        "100"),
     field<&LimitFacts::probeFeed>("probeFeed", number,
                                   "fastest feed of a measuring move, mm/min; 0: any", "100"),
     field<&LimitFacts::loopNumbers>(
-        "loopNumbers", count, "loops have numbers from 1 to this one, each in use once; 0: any",
-        "3"),
+        "loopNumbers", wholeNumber,
+        "loops have numbers from 1 to this one, each in use once; 0: any", "3"),
     field<&LimitFacts::bracketDepth>(
-        "bracketDepth", count, "brackets in each other, those of functions counted; 0: any number",
-        "5"),
-    field<&LimitFacts::blockDigits>(
-        "blockDigits", count, "most digits of a block number, which begins at 1; 0: any", "8"),
+        "bracketDepth", wholeNumber,
+        "brackets in each other, those of functions counted; 0: any number", "5"),
+    field<&LimitFacts::blockDigits>("blockDigits", wholeNumber,
+                                    "most digits of a block number, which begins at 1; 0: any",
+                                    "8"),
     field<&LimitFacts::lengthDigits>(
-        "lengthDigits", count,
+        "lengthDigits", wholeNumber,
         "most digits of a length in least increments, which have three decimals; 0: any", "8"),
-    field<&LimitFacts::macroDepth>(
-        "macroDepth", count, "levels of macros that call each other; 0: those of all calls", "5"),
-    field<&LimitFacts::textLength>(
-        "textLength", count, "most characters of a text between quotation marks; 0: any", "200"),
+    field<&LimitFacts::macroDepth>("macroDepth", wholeNumber,
+                                   "levels of macros that call each other; 0: those of all calls",
+                                   "5"),
+    field<&LimitFacts::textLength>("textLength", wholeNumber,
+                                   "most characters of a text between quotation marks; 0: any",
+                                   "200"),
     field<&LimitFacts::modeGroups>(
-        "modeGroups", count,
+        "modeGroups", wholeNumber,
         "groups of G functions are numbered from 1 to this one; 0: they have no numbers", "64"),
     field<&LimitFacts::leastAlarm>("leastAlarm", number,
                                    "least number of an alarm that a program raises", "1"),
@@ -227,27 +230,6 @@ constexpr Field limitsFields[] = {
 constexpr RecordOf<LimitFacts> limitsRecord =
     RecordOf<LimitFacts>{"facts of limits", "what holds for how much the control takes",
                          limitsFields}
-        .overlay();
-
-constexpr Field messagesFields[] = {
-    field<&MessageFacts::comments>("comments", texts,
-                                   "words with which a comment begins that the operator sees",
-                                   R"(["MSG"])"),
-    field<&MessageFacts::withValues>("withValues", texts,
-                                     "those in whose text the names of variables mean their values",
-                                     R"(["DEBUG"])"),
-    field<&MessageFacts::instructions>(
-        "instructions", texts, "instructions whose arguments the operator sees", R"(["MSG"])"),
-    field<&MessageFacts::variables>(
-        "variables", listOf(count),
-        "variables: the comment after a value that is given to one of them is shown",
-        "[3000, 3006]"),
-    field<&MessageFacts::stops>("stops", listOf(count),
-                                "those of them that stop the program as M00 does", "[3006]"),
-};
-constexpr RecordOf<MessageFacts> messagesRecord =
-    RecordOf<MessageFacts>{"facts of messages", "texts that a program shows to the operator",
-                           messagesFields}
         .overlay();
 
 constexpr Field probeFields[] = {
@@ -273,98 +255,6 @@ constexpr Field spindleFields[] = {
 constexpr RecordOf<SpindleFacts> spindleRecord =
     RecordOf<SpindleFacts>{"facts of the spindle", "what holds for the spindle", spindleFields}
         .overlay();
-
-constexpr Field programFields[] = {
-    flag<&ProgramFacts::noEndInSubprogram>(
-        "noEndInSubprogram",
-        "a called program must return by its own code: a program end in it is a missing return"),
-    flag<&ProgramFacts::sameCodeTwiceStops>(
-        "sameCodeTwiceStops", "the control also stops at a code that is written twice"),
-    flag<&ProgramFacts::fileIsProgram>("fileIsProgram",
-                                       "a text without a program number is a program all the same"),
-    flag<&ProgramFacts::tapeMarkEnds>("tapeMarkEnds", "a second % also ends a program"),
-    flag<&ProgramFacts::modesOutliveEnd>("modesOutliveEnd",
-                                         "modes stay active after the end of the program"),
-    flag<&ProgramFacts::callsTakeNoWords>("callsTakeNoWords", "a call takes no words of its block"),
-    flag<&ProgramFacts::callsBlocks>(
-        "callsBlocks", "a local call names a block as a jump does: one that is missing is told as "
-                       "a target that is missing"),
-    flag<&ProgramFacts::skipKeepsModes>(
-        "skipKeepsModes",
-        "a block that may be skipped changes no mode, whether or not a later block relies on it"),
-    flag<&ProgramFacts::modesOutliveReturn>(
-        "modesOutliveReturn", "modes and frames that a subprogram sets stay active in its caller"),
-    flag<&ProgramFacts::repeatsNest>("repeatsNest",
-                                     "sections that are repeated lie inside each other or apart"),
-    flag<&ProgramFacts::endCutsRepeats>(
-        "endCutsRepeats", "an end inside a repeated section ends the program before the repeat"),
-    flag<&ProgramFacts::modesStatedAtTargets>(
-        "modesStatedAtTargets", "a block that several paths reach states the modes that it needs"),
-    flag<&ProgramFacts::everyBlockNumbered>("everyBlockNumbered", "every block has a number"),
-    field<&ProgramFacts::stepHeads>("stepHeads", texts,
-                                    "calls with which a program of steps begins that only the "
-                                    "control's own editor knows",
-                                    R"(["E_HEAD", "F_HEAD"])"),
-    field<&ProgramFacts::dataKinds>("dataKinds", texts,
-                                    "what the names of files and of units of an archive end in "
-                                    "that hold data and no program",
-                                    R"(["INI", "COM"])"),
-    flag<&ProgramFacts::remapsInIni>(
-        "remapsInIni", "the machine's INI file, near the program, makes codes (`REMAP=`)"),
-    field<&ProgramFacts::folders>("folders", texts,
-                                  "folders in which the control keeps programs, in the order in "
-                                  "which it looks for a called one; an ending of names begins "
-                                  "with a point",
-                                  R"(["SPF", ".WPD"])"),
-    flag<&ProgramFacts::returnRestarts>(
-        "returnRestarts", "a return code in a main program starts it again, which may be meant"),
-    flag<&ProgramFacts::flowCodesAlone>(
-        "flowCodesAlone", "stops, ends, calls and returns share their block with no other M code"),
-};
-constexpr RecordOf<ProgramFacts> programRecord =
-    RecordOf<ProgramFacts>{"facts of program", "what holds for programs and their ends",
-                           programFields}
-        .overlay();
-
-constexpr Field textFields[] = {
-    flag<&TextFacts::bareAxesOfLimits>("bareAxesOfLimits",
-                                       "axis letters alone may follow the codes of limits"),
-    field<&TextFacts::wholeCodes>(
-        "wholeCodes", whole(0, 2),
-        "codes are whole numbers; 2: codes with decimals are allowed when they exist", "2"),
-    flag<&TextFacts::noBlanksInWords>("noBlanksInWords",
-                                      "no blank may be between an address and its number"),
-    flag<&TextFacts::noNestedComments>(
-        "noNestedComments", "the control stops at an opening parenthesis inside a comment"),
-    flag<&TextFacts::axesOfMachine>("axesOfMachine",
-                                    "axes that the machine profile does not name are unknown"),
-    flag<&TextFacts::isoSignsForeign>(
-        "isoSignsForeign", "a tape mark alone, `O1000` and `#1=5` are signs of another control"),
-    flag<&TextFacts::oneSeparator>("oneSeparator",
-                                   "the arguments of an instruction have one kind of separator"),
-    flag<&TextFacts::variantNames>("variantNames",
-                                   "`G83/R` is a manual's name of a variant, no code"),
-    flag<&TextFacts::kindsOfComments>(
-        "kindsOfComments", "comments for the operator and for the reader are of different kinds"),
-    flag<&TextFacts::bracketsApart>(
-        "bracketsApart",
-        "a bracket without its partner is told apart from other errors of an expression"),
-    flag<&TextFacts::statementsAlone>(
-        "statementsAlone", "assignments, jumps and loops share their block with no words"),
-    flag<&TextFacts::loopsAlone>("loopsAlone",
-                                 "the brackets of loops share their block with no words"),
-    flag<&TextFacts::noBareAxes>("noBareAxes",
-                                 "axis letters alone do not name the axes of a reference return"),
-    flag<&TextFacts::noMinusAtNumbers>("noMinusAtNumbers",
-                                       "numbers of tools, offsets and speeds take no sign"),
-    flag<&TextFacts::tapeMarkInComments>("tapeMarkInComments",
-                                         "a % ends the text inside a comment too"),
-    flag<&TextFacts::pointsThroughout>(
-        "pointsThroughout",
-        "a program means its lengths with a decimal point, or without one, throughout"),
-};
-constexpr RecordOf<TextFacts> textRecord =
-    RecordOf<TextFacts>{"facts of text", "what holds for how text is read", textFields}.overlay();
 
 constexpr Field toolsFields[] = {
     flag<&ToolFacts::cuttingEdges>(
@@ -425,49 +315,6 @@ constexpr RecordOf<TurningFacts> turningRecord =
                            turningFields}
         .overlay();
 
-constexpr Field variablesFields[] = {
-    field<&VariableFacts::greatest>("greatest", count,
-                                    "greatest number of a variable; 0: not limited", "2049"),
-    field<&VariableFacts::lastKept>(
-        "lastKept", count, "last one that keeps an earlier program's value; 0: not known", "2049"),
-    field<&VariableFacts::reservedFrom>("reservedFrom", count,
-                                        "first variable that the control keeps for itself", "1000"),
-    field<&VariableFacts::reservedTo>(
-        "reservedTo", number, "last one that the control keeps for itself; -1: none", "1049"),
-    flag<&VariableFacts::numbered>("numbered", "variables have numbers after `#`"),
-    field<&VariableFacts::volatileFrom>(
-        "volatileFrom", count, "variables from this number on do not keep their values; 0: all do",
-        "1050"),
-    flag<&VariableFacts::sharedByPrograms>("sharedByPrograms",
-                                           "a called program writes the variables of its caller"),
-    flag<&VariableFacts::tangentHasPoles>(
-        "tangentHasPoles", "the tangent of 90 degrees is an error; left out: it is a large number"),
-    field<&VariableFacts::gaps>("gaps", listOf(count),
-                                "first and last number of each range that has no variables",
-                                "[34, 99]"),
-    field<&VariableFacts::ofMacros>(
-        "ofMacros", listOf(count),
-        "first and last number of each range that the control's own macros write", "[550, 599]"),
-    field<&VariableFacts::shownAhead>(
-        "shownAhead", listOf(count),
-        "first and last number of each range of places that change as the control reads ahead",
-        "[5021, 5069]"),
-    field<&VariableFacts::workPlaces>(
-        "workPlaces", listOf(count),
-        "first and last number of each range of places in the work's coordinates", "[5041, 5060]"),
-    field<&VariableFacts::lacksFunctions>("lacksFunctions", texts,
-                                          "functions of its family that the control lacks",
-                                          R"(["FUP", "LN"])"),
-    field<&VariableFacts::frameParts>(
-        "frameParts", texts,
-        "names of the parts of a frame, which are the last index of its variable",
-        R"(["TR", "RT"])"),
-};
-constexpr RecordOf<VariableFacts> variablesRecord =
-    RecordOf<VariableFacts>{"facts of variables", "what holds for numbered variables",
-                            variablesFields}
-        .overlay();
-
 constexpr Field factFields[] = {
     field<&ControlFacts::arcs>("arcs", object(arcsRecord), "arcs"),
     field<&ControlFacts::compensation>("compensation", object(compensationRecord),
@@ -478,16 +325,16 @@ constexpr Field factFields[] = {
     field<&ControlFacts::cycles>("cycles", object(cyclesRecord), "drilling cycles"),
     field<&ControlFacts::feed>("feed", object(feedRecord), "feed"),
     field<&ControlFacts::limits>("limits", object(limitsRecord), "how much the control takes"),
-    field<&ControlFacts::messages>("messages", object(messagesRecord),
+    field<&ControlFacts::messages>("messages", object(messageFactRecord),
                                    "texts that a program shows to the operator"),
     field<&ControlFacts::probe>("probe", object(probeRecord), "measuring"),
-    field<&ControlFacts::program>("program", object(programRecord), "programs and their ends"),
+    field<&ControlFacts::program>("program", object(programFactRecord), "programs and their ends"),
     field<&ControlFacts::spindle>("spindle", object(spindleRecord), "the spindle"),
-    field<&ControlFacts::text>("text", object(textRecord), "how text is read"),
+    field<&ControlFacts::text>("text", object(textFactRecord), "how text is read"),
     field<&ControlFacts::tools>("tools", object(toolsRecord), "tools"),
     field<&ControlFacts::turning>("turning", object(turningRecord),
                                   "turning cycles and their profiles"),
-    field<&ControlFacts::variables>("variables", object(variablesRecord), "numbered variables"),
+    field<&ControlFacts::variables>("variables", object(variableFactRecord), "numbered variables"),
 };
 
 } // namespace

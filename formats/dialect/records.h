@@ -35,6 +35,12 @@ extern const RecordOf<OtherControlFile> otherControlRecord;
 // fact_records.cpp
 extern const RecordOf<ControlFacts> factRecord;
 
+// program_fact_records.cpp
+extern const RecordOf<MessageFacts> messageFactRecord;
+extern const RecordOf<ProgramFacts> programFactRecord;
+extern const RecordOf<TextFacts> textFactRecord;
+extern const RecordOf<VariableFacts> variableFactRecord;
+
 // code_records.cpp
 extern const RecordOf<CodeInfo> codeRecord;
 extern const RecordOf<Variant> variantRecord; ///< what it has besides the keys of its code

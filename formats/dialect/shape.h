@@ -159,6 +159,8 @@ constexpr Shape whole(double least, double most) {
   shape.most = most;
   return shape;
 }
+/// How many of something, or the number of a variable.
+constexpr Shape wholeNumber = whole(0, 999999);
 /// One of `names`, which messages call a `what`.
 constexpr Shape name(const char *what, Names (*names)(), size_t first = 0) {
   Shape shape{Form::Name};
