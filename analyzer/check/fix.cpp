@@ -7,7 +7,6 @@
 #include "llvm/Support/Path.h"
 
 #include <map>
-#include <set>
 
 namespace ncvet {
 
@@ -18,6 +17,8 @@ namespace {
 constexpr unsigned maxRounds = 100;
 /// Rounds that were taken back, at most: a few rules at fault.
 constexpr unsigned maxRefusals = 40;
+/// Fixes that are tried one by one, at most: an editor waits for the answer.
+constexpr unsigned maxTried = 16;
 
 /// One check of a text.
 struct Attempt {
@@ -59,11 +60,8 @@ public:
       }
       if (!current.motions.isKnown())
         current.motions = record(current);
-      const std::vector<TextEdit> edits = editsOf(chosen);
-      Attempt next = check(applyEdits(current.file->text(), edits));
-      next.motions = record(next);
-      if (isWorse(current, next, chosen) || !mends(next, chosen, edits) ||
-          !keepsItsPromise(current, next, chosen, edits)) {
+      std::optional<Attempt> next = afterFixes(current, chosen);
+      if (!next) {
         ++refusals;
         refuse(chosen);
         continue;
@@ -74,7 +72,7 @@ public:
       result.applied += unsigned(chosen.size());
       for (const Finding *finding : chosen)
         ++result.byRule[finding->rule];
-      current = std::move(next);
+      current = std::move(*next);
     }
     result.refused = refused_.size();
     tryAll();
@@ -84,7 +82,49 @@ public:
     return result;
   }
 
+  std::set<FindingPlace> thatHold(llvm::ArrayRef<FindingPlace> findings) {
+    Attempt current = check(original_.text());
+    std::vector<const Finding *> wanted, together;
+    for (const CheckedFinding &checked : current.outcome.findings)
+      if (isWanted(checked.finding, current.file->id()) &&
+          llvm::is_contained(findings, placeOf(checked.finding)))
+        wanted.push_back(&checked.finding);
+    if (wanted.empty())
+      return {};
+    current.motions = record(current);
+    std::map<uint32_t, RuleId> ruleOfLine;
+    std::map<uint32_t, const TextEdit *> edits;
+    for (const Finding *finding : wanted)
+      if (fits(*finding, *current.file, ruleOfLine, edits))
+        together.push_back(finding);
+    std::set<FindingPlace> held;
+    if (afterFixes(current, together))
+      for (const Finding *finding : together)
+        held.insert(placeOf(*finding));
+    unsigned tried = 0;
+    for (const Finding *finding : wanted)
+      if (!held.count(placeOf(*finding)) && (together.size() > 1 || together[0] != finding) &&
+          tried++ < maxTried && afterFixes(current, finding))
+        held.insert(placeOf(*finding));
+    return held;
+  }
+
 private:
+  static FindingPlace placeOf(const Finding &finding) {
+    return {finding.rule, finding.range.begin, finding.range.end};
+  }
+
+  /// The text with these fixes; none: they do not hold what they say.
+  std::optional<Attempt> afterFixes(const Attempt &before, llvm::ArrayRef<const Finding *> chosen) {
+    const std::vector<TextEdit> edits = editsOf(chosen);
+    Attempt after = check(applyEdits(before.file->text(), edits));
+    after.motions = record(after);
+    if (isWorse(before, after, chosen) || !mends(after, chosen, edits) ||
+        !keepsItsPromise(before, after, chosen, edits))
+      return std::nullopt;
+    return after;
+  }
+
   Attempt check(llvm::StringRef text) {
     Attempt attempt;
     attempt.sources = std::make_unique<SourceSet>(open_);
@@ -261,6 +301,12 @@ private:
 FixedText fixText(Session &session, const SourceFile &file, bool unsafe,
                   const std::shared_ptr<const SourceSet::Overlay> &open) {
   return Fixer(session, file, unsafe, open).run();
+}
+
+std::set<FindingPlace> fixesThatHold(Session &session, const SourceFile &file,
+                                     llvm::ArrayRef<FindingPlace> findings,
+                                     const std::shared_ptr<const SourceSet::Overlay> &open) {
+  return Fixer(session, file, /*unsafe=*/true, open).thatHold(findings);
 }
 
 llvm::Error replaceFile(llvm::StringRef path, llvm::StringRef text) {

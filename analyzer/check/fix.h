@@ -3,6 +3,8 @@
 
 #include "analyzer/check/checker.h"
 
+#include <set>
+
 namespace ncvet {
 
 struct FixedText {
@@ -24,6 +26,20 @@ struct FixedText {
 /// left alone. At most a hundred rounds. Called programs are those of `open` before those on disk.
 FixedText fixText(Session &session, const SourceFile &file, bool unsafe,
                   const std::shared_ptr<const SourceSet::Overlay> &open = nullptr);
+
+/// One of the findings of a file.
+struct FindingPlace {
+  RuleId rule = 0;
+  uint32_t begin = 0, end = 0;
+
+  friend auto operator<=>(const FindingPlace &, const FindingPlace &) = default;
+};
+
+/// Of findings in `file` those whose fix holds what it says, as `fixText` sees it: all at once
+/// where they go together, else one by one, and of these no more than some.
+std::set<FindingPlace> fixesThatHold(Session &session, const SourceFile &file,
+                                     llvm::ArrayRef<FindingPlace> findings,
+                                     const std::shared_ptr<const SourceSet::Overlay> &open);
 
 /// Replaces the file on disk in one step: at any time it holds the old text or the new one. A link
 /// stays a link; permissions are kept.

@@ -2,6 +2,7 @@
 #include "analyzer/flow/analyze.h"
 
 #include "analyzer/flow/engine.h"
+#include "analyzer/flow/fixes_at_targets.h"
 
 namespace ncvet {
 
@@ -31,8 +32,10 @@ std::optional<AnalysisResult> analyzeOnce(Project &project, FileUnit &unit,
   result.postponed = engine.postponed;
   result.asksOuter = engine.hasAskedOuter();
   result.followed = engine.followedCalls();
-  if (!result.postponed)
+  if (!result.postponed) {
     result.findings = host.take(project.sources());
+    keepTargetsFirst({project, unit, engine.used}, result.findings);
+  }
   return result;
 }
 

@@ -23,6 +23,7 @@ public:
   using FlowRun::inFull;
   using FlowRun::postponed;
   using FlowRun::stale;
+  using FlowRun::used;
   using FlowRun::visits;
   /// One of many files that are checked together.
   void leaveToCallers(const OuterCalls &calls) { outer = &calls; }

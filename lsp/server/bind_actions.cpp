@@ -4,6 +4,7 @@
 #include "formats/text/file_uri.h"
 #include "lsp/features/writing/suppression_edit.h"
 #include "lsp/server/bindings.h"
+#include "lsp/server/fix_verdicts.h"
 #include "lsp/server/rewriting_actions.h"
 #include "lsp/server/workspace_edit.h"
 #include "lsp/transport/json_message.h"
@@ -69,8 +70,8 @@ private:
 };
 
 void fixesOfFinding(const Problem &problem, const CheckResult &result, const View &view,
-                    Json &actions) {
-  if (problem.fixTitle.empty())
+                    const FixVerdicts &verdicts, Json &actions) {
+  if (problem.fixTitle.empty() || !verdicts.holds(problem))
     return;
   Json fix = action(problem.fixTitle, "quickfix", Json::parse(problem.changes));
   if (!problem.safe && view.client.annotatesChanges)
@@ -86,7 +87,7 @@ void fixesOfFinding(const Problem &problem, const CheckResult &result, const Vie
     return;
   Gathered all;
   for (const Problem &other : result.problems)
-    if (other.rule == problem.rule && other.safe)
+    if (other.rule == problem.rule && other.safe && verdicts.holds(other))
       all.add(Json::parse(other.changes));
   if (all.count() > 1)
     actions.push_back(action(
@@ -168,17 +169,33 @@ Json explanation(const RuleInfo &rule, const View &view) {
             {"arguments", {rule.id.str(), view.document.uri}}}}};
 }
 
-/// What mends a finding comes before what silences one.
-void actionsOfFindings(View &view, const CheckResult &result, const Json &asked,
-                       std::pair<uint32_t, uint32_t> range, Json &actions) {
-  std::vector<const Problem *> problems;
+/// The problems in `range`, and those whose fixes are offered with theirs.
+std::vector<const Problem *> withAllOfTheirRules(llvm::ArrayRef<const Problem *> problems,
+                                                 const CheckResult &result) {
+  std::set<RuleId> rules;
+  for (const Problem *problem : problems)
+    if (problem->safe)
+      rules.insert(problem->rule);
+  std::vector<const Problem *> all = problems.vec();
   for (const Problem &problem : result.problems)
+    if (problem.safe && rules.count(problem.rule) && !llvm::is_contained(problems, &problem))
+      all.push_back(&problem);
+  return all;
+}
+
+/// What mends a finding comes before what silences one.
+void actionsOfFindings(View &view, Session &session,
+                       const std::shared_ptr<const CheckResult> &result, FixVerdicts &verdicts,
+                       const Json &asked, std::pair<uint32_t, uint32_t> range, Json &actions) {
+  std::vector<const Problem *> problems;
+  for (const Problem &problem : result->problems)
     if (problem.path == view.document.path && problem.begin <= range.second &&
         problem.end >= range.first)
       problems.push_back(&problem);
   if (wants(asked, "quickfix")) {
+    verdicts.decide(view, session, result, withAllOfTheirRules(problems, *result));
     for (const Problem *problem : problems)
-      fixesOfFinding(*problem, result, view, actions);
+      fixesOfFinding(*problem, *result, view, verdicts, actions);
     for (const Problem *problem : problems)
       suppressions(*problem, view, actions);
   }
@@ -187,14 +204,15 @@ void actionsOfFindings(View &view, const CheckResult &result, const Json &asked,
       actions.push_back(explanation(allRules()[problem->rule].info, view));
 }
 
-Json actionsAt(Context &context, View &view, Session &session, const Json &params) {
+Json actionsAt(Context &context, View &view, Session &session, FixVerdicts &verdicts,
+               const Json &params) {
   Json actions = Json::array();
   const auto result = context.checks->wait(view.document, view.cancelled);
   if (!result)
     return actions;
   const auto [begin, end] = view.range(params);
   const Json &asked = params.at("context");
-  actionsOfFindings(view, *result, asked, {begin, end}, actions);
+  actionsOfFindings(view, session, result, verdicts, asked, {begin, end}, actions);
   if (begin < end)
     rewritingsOf(
         view, begin, end, [&](llvm::StringRef kind) { return wants(asked, kind); },
@@ -258,16 +276,19 @@ void explain(Context &context, const Json &arguments, Reply reply) {
 } // namespace
 
 void bindActions(Context &context) {
-  context.rpc.onRequest("textDocument/codeAction", [&context](const Json &params, Reply reply) {
-    const std::string uri = params.at("textDocument").at("uri");
-    const Document *document = context.documents.find(uri);
-    if (!document)
-      return reply.fail(RpcError::InvalidParams, "the document is not open: " + uri);
-    context.answerAfterCheck(*document, std::move(reply),
-                             [&context, params, session = context.session(*document)](View &view) {
-                               return actionsAt(context, view, *session, params);
-                             });
-  });
+  const auto verdicts = std::make_shared<FixVerdicts>();
+  context.rpc.onRequest(
+      "textDocument/codeAction", [&context, verdicts](const Json &params, Reply reply) {
+        const std::string uri = params.at("textDocument").at("uri");
+        const Document *document = context.documents.find(uri);
+        if (!document)
+          return reply.fail(RpcError::InvalidParams, "the document is not open: " + uri);
+        context.answerAfterCheck(
+            *document, std::move(reply),
+            [&context, params, verdicts, session = context.session(*document)](View &view) {
+              return actionsAt(context, view, *session, *verdicts, params);
+            });
+      });
   context.rpc.onRequest("codeAction/resolve", [&context](const Json &params, Reply reply) {
     resolve(context, params, std::move(reply));
   });

@@ -110,6 +110,18 @@ TEST(FixPromises, OfTwoValuesOfAnAddressNoneIsDeleted) {
   EXPECT_EQ("O1\nG1 X1. F50.\nM30\n", fixed(session, "O1\nG1 X1. F50. F50.\nM30\n", false));
 }
 
+TEST(FixPromises, ABlockIsPutAfterTheNumberToWhichAJumpLeads) {
+  Session session = sessionOf("fanuc-mill", {"cycle"});
+  const auto program = [](const std::string &block) {
+    return "%\nO1\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\n"
+           "G81 X10. Y10. Z-5. R2. F100.\nIF [#500 EQ 1] GOTO 100\nX20.\nG0 G80 Z50.\n" +
+           block + "\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\nG0 Z50.\nM30\n%\n";
+  };
+  EXPECT_EQ(program("N100 G80\nT1 M6"), fixed(session, program("N100 T1 M6"), /*unsafe=*/true));
+  // A block that may be skipped becomes two that may be skipped alone: nothing is offered.
+  EXPECT_EQ(program("/N100 T1 M6"), fixed(session, program("/N100 T1 M6"), /*unsafe=*/true));
+}
+
 TEST(FixPromises, ACycleIsEndedOnceForAllThatItCauses) {
   Session session = sessionOf("fanuc-0m", {"cycle"});
   const std::string bore =
