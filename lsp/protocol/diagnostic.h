@@ -26,6 +26,8 @@ public:
       : sources_(sources), places_(sources, encoding), support_(support),
         dialect_(std::move(dialect)) {}
 
+  /// See `Places::spell`.
+  void spell(FileId file, std::string uri) { places_.spell(file, std::move(uri)); }
   /// A `Diagnostic`.
   std::string diagnostic(const Finding &finding, const RuleInfo &rule);
   /// The edits of a fix by URI, as `WorkspaceEdit.changes` has them.

@@ -9,7 +9,10 @@ Positions &Places::of(FileId file) {
   return positions_.try_emplace(file, sources_.get(file), encoding_).first->second;
 }
 
-std::string Places::uri(FileId file) const { return uriOfPath(sources_.get(file).path()); }
+std::string Places::uri(FileId file) const {
+  const auto spelled = spelled_.find(file);
+  return spelled == spelled_.end() ? uriOfPath(sources_.get(file).path()) : spelled->second;
+}
 
 Json Places::changes(llvm::ArrayRef<TextEdit> edits) {
   std::map<FileId, std::vector<TextEdit>> byFile;

@@ -14,6 +14,8 @@ public:
 
   Positions &of(FileId file);
   std::string uri(FileId file) const;
+  /// The client writes the URI of a file so; there are several ways to escape one.
+  void spell(FileId file, std::string uri) { spelled_[file] = std::move(uri); }
   Json range(SourceRange range) { return rangeJson(of(range.file), range); }
   Json location(SourceRange place) { return {{"uri", uri(place.file)}, {"range", range(place)}}; }
   /// Edits by URI, as `WorkspaceEdit.changes` has them.
@@ -23,6 +25,7 @@ private:
   const SourceSet &sources_;
   PositionEncoding encoding_;
   std::map<FileId, Positions> positions_;
+  std::map<FileId, std::string> spelled_;
 };
 
 } // namespace ncvet::lsp

@@ -73,6 +73,7 @@ std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<
   result->guessed = outcome.guessed;
   result->sure = outcome.sure;
   DiagnosticWriter writer(sources, job.encoding, job.support, outcome.dialect);
+  writer.spell(file.id(), job.document.uri);
   for (const CheckedFinding &checked : outcome.findings)
     if (!checked.finding.suppressed)
       result->problems.push_back(problemOf(checked.finding, sources, writer));

@@ -38,9 +38,8 @@ std::shared_ptr<const DocumentStates> View::statesAt(uint32_t offset) {
 }
 
 Context::Context(MessageWriter &writer)
-    : rpc(writer), problems([this](const std::string &path, std::optional<int64_t> version,
-                                   llvm::StringRef diagnostics,
-                                   bool own) { sendProblems(path, version, diagnostics, own); }) {
+    : rpc(writer), problems([this](const ProblemBoard::ShownFile &file, llvm::StringRef diagnostics,
+                                   bool own) { sendProblems(file, diagnostics, own); }) {
   states = std::make_unique<StatesInTime>();
   features = std::make_unique<Worker>();
   waiting = std::make_unique<Worker>();
@@ -78,8 +77,9 @@ void Context::tellControl(const CheckResult &result) {
                                  {"reason", result.reason}});
 }
 
-void Context::sendProblems(const std::string &path, std::optional<int64_t> version,
-                           llvm::StringRef diagnostics, bool own) {
+void Context::sendProblems(const ProblemBoard::ShownFile &file, llvm::StringRef diagnostics,
+                           bool own) {
+  std::optional<int64_t> version = file.version;
   if (client.pullsDiagnostics) {
     // The client asks for a document that it changed; of other open ones it has to be told.
     wantsRefresh = wantsRefresh || !own;
@@ -87,15 +87,15 @@ void Context::sendProblems(const std::string &path, std::optional<int64_t> versi
     const bool open = version.has_value();
     if (client.takesRelatedDocuments || settings.workspaceDiagnostics)
       return;
-    if (open && !published_.erase(path))
+    if (open && !published_.erase(file.path))
       return;
     if (open)
       diagnostics = "[]";
     else
-      published_.insert(path);
+      published_.insert(file.path);
     version.reset();
   }
-  Json params = {{"uri", uriOfPath(path)}};
+  Json params = {{"uri", file.uri}};
   if (version)
     params["version"] = *version;
   std::string text = jsonText(params);
@@ -308,6 +308,7 @@ void Context::answerNow(const Asked &asked, const Answer &answer) {
     if (!snapshot)
       return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
     Places places((*snapshot)->project().sources(), client.encoding);
+    places.spell((*snapshot)->source().id(), job.document.uri);
     View view{job.document,
               **snapshot,
               places.of((*snapshot)->source().id()),

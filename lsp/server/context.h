@@ -154,8 +154,7 @@ private:
   /// `ncvet/control`: the control that a document was checked for, and why.
   void tellControl(const CheckResult &result);
   /// Tells the client what is known of a file now, in the way in which it wants to be told.
-  void sendProblems(const std::string &path, std::optional<int64_t> version,
-                    llvm::StringRef diagnostics, bool own);
+  void sendProblems(const ProblemBoard::ShownFile &file, llvm::StringRef diagnostics, bool own);
   /// A request about a document, with all that its answer needs.
   struct Asked {
     std::shared_ptr<Reply> reply; ///< a task is copied, a reply is not

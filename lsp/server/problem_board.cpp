@@ -2,6 +2,7 @@
 // told.
 #include "lsp/server/problem_board.h"
 
+#include "formats/text/file_uri.h"
 #include "lsp/transport/rpc.h"
 
 #include <set>
@@ -48,12 +49,16 @@ void ProblemBoard::send(const std::string &path, bool own) {
     sent_.erase(path);
   else
     sent_.insert(path);
-  send_(path, open ? std::optional(document->second.version) : std::nullopt, diagnostics, own);
+  const auto spelled = spelled_.find(path);
+  send_({path, spelled == spelled_.end() ? uriOfPath(path) : spelled->second,
+         open ? std::optional(document->second.version) : std::nullopt},
+        diagnostics, own);
 }
 
 void ProblemBoard::opened(const Document &document) {
   const std::lock_guard<std::mutex> lock(mutex_);
   documents_[document.path] = document;
+  spelled_[document.path] = document.uri;
 }
 
 void ProblemBoard::closed(const std::string &path) {

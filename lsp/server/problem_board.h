@@ -12,10 +12,14 @@ namespace ncvet::lsp {
 /// for several threads.
 class ProblemBoard {
 public:
-  /// Sends the diagnostics of a file, a list as JSON; null `version`: the document is not open.
-  /// `own`: they come from the file's own check.
-  using Send = std::function<void(const std::string &path, std::optional<int64_t> version,
-                                  llvm::StringRef diagnostics, bool own)>;
+  /// A file as the client knows it.
+  struct ShownFile {
+    std::string path;
+    std::string uri;                ///< as the client has spelled it when it was open last
+    std::optional<int64_t> version; ///< none: the document is not open
+  };
+  /// Sends the diagnostics of a file, a list as JSON. `own`: they come from the file's own check.
+  using Send = std::function<void(const ShownFile &file, llvm::StringRef diagnostics, bool own)>;
   explicit ProblemBoard(Send send) : send_(std::move(send)) {}
 
   /// A document has this text now; what was found in another text of it no longer counts.
@@ -44,7 +48,8 @@ private:
   mutable std::mutex mutex_;
   std::map<std::string, Document> documents_; ///< by path
   std::map<std::string, std::shared_ptr<const CheckResult>> results_;
-  std::set<std::string> sent_; ///< files of which the client shows problems
+  std::map<std::string, std::string> spelled_; ///< URIs of documents, by path
+  std::set<std::string> sent_;                 ///< files of which the client shows problems
 };
 
 } // namespace ncvet::lsp

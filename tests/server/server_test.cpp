@@ -157,6 +157,66 @@ TEST(LanguageServer, AQuickFixMendsItsFinding) {
   EXPECT_EQ(codes(client.diagnostics(path, 2)), std::vector<std::string>());
 }
 
+TEST(LanguageServer, AQuickFixAtTheTargetOfAJumpMendsItsFinding) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
+  const std::string path = "/nowhere/jump.nc";
+  client.open(path, "%\nO1\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\n"
+                    "G43 H1 Z5.\nG81 X10. Y10. Z-5. R2. F100.\nIF [#500 EQ 1] GOTO 100\nX20.\n"
+                    "G0 G80 Z50.\nN100 T2 M6\nG54 G0 X0. Y0. S900 M3\nG43 H2 Z5.\nG0 Z50.\n"
+                    "M30\n%\n");
+  const Json diagnostics = client.diagnostics(path);
+  ASSERT_EQ(codes(diagnostics), std::vector<std::string>{"11 cycle-left-active"});
+  const Json actions =
+      client.request("textDocument/codeAction", {{"textDocument", documentOf(path)},
+                                                 {"range", diagnostics[0]["range"]},
+                                                 {"context", {{"diagnostics", {diagnostics[0]}}}}});
+  const Json edit = actions[0]["edit"]["changes"]["file://" + path][0];
+  EXPECT_EQ(edit["range"]["start"]["character"], 5); // after the number
+  client.notify("textDocument/didChange",
+                {{"textDocument", {{"uri", "file://" + path}, {"version", 2}}},
+                 {"contentChanges", {{{"range", edit["range"]}, {"text", edit["newText"]}}}}});
+  EXPECT_EQ(codes(client.diagnostics(path, 2)), std::vector<std::string>());
+}
+
+TEST(LanguageServer, AFixThatTheCommandLineWouldNotMakeIsNotOffered) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
+  const std::string path = "/nowhere/jump.nc";
+  client.open(path, "%\nO1\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\n"
+                    "G43 H1 Z5.\nG81 X10. Y10. Z-5. R2. F100.\nIF [#500 EQ 1] GOTO 100\nX20.\n"
+                    "G0 G80 Z50.\n/N100 T2 M6\nG54 G0 X0. Y0. S900 M3\nG43 H2 Z5.\nG0 Z50.\n"
+                    "M30\n%\n");
+  const Json diagnostics = client.diagnostics(path);
+  for (const Json &diagnostic : diagnostics)
+    for (const Json &action :
+         client.request("textDocument/codeAction",
+                        {{"textDocument", documentOf(path)},
+                         {"range", diagnostic["range"]},
+                         {"context", {{"diagnostics", {diagnostic}}, {"only", {"quickfix"}}}}}))
+      EXPECT_EQ(action["title"].get<std::string>().substr(0, 6), "Allow ") << action.dump();
+}
+
+TEST(LanguageServer, AnswersWithTheUriThatTheClientWrites) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  const std::string uri = "file:///nowhere/bore(1),%61.nc"; // few escape all that may be escaped
+  client.notify("textDocument/didOpen",
+                {{"textDocument",
+                  {{"uri", uri},
+                   {"languageId", "gcode"},
+                   {"version", 1},
+                   {"text", "%\nO1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
+                            "M97 P10\nG01 Z-1. F0\nG00 Z50.\nM30\nN10 M99\n%\n"}}}});
+  const Json told = client.notification("textDocument/publishDiagnostics");
+  EXPECT_EQ(told["uri"], uri);
+  ASSERT_FALSE(told["diagnostics"].empty());
+  const Json at = {{"textDocument", {{"uri", uri}}}, {"position", {{"line", 5}, {"character", 5}}}};
+  EXPECT_EQ(client.request("textDocument/definition", at)["uri"], uri);
+  client.notify("textDocument/didClose", {{"textDocument", {{"uri", uri}}}});
+  EXPECT_EQ(client.notification("textDocument/publishDiagnostics")["uri"], uri);
+}
+
 TEST(LanguageServer, WhatMendsAFindingComesBeforeWhatSilencesAnother) {
   LanguageClient client;
   client.initialize(Json::object(), {{"dialect", "sinumerik"}});
