@@ -2,7 +2,6 @@
 #include "lsp/debug/breakpoints.h"
 
 #include "formats/text/failure.h"
-#include "interp/evaluate/expression.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -56,7 +55,7 @@ llvm::Error Breakpoint::readMessage(const FileUnit &unit, llvm::StringRef text) 
     text = rest;
     if (!rest.empty()) {
       const auto [inner, after] = rest.split('}');
-      auto value = WatchExpression::parse(unit, inner);
+      auto value = WatchedValue::parse(unit, inner);
       if (!value)
         return value.takeError();
       piece.value = std::move(*value);
@@ -71,7 +70,7 @@ llvm::Expected<Breakpoint> Breakpoint::make(const FileUnit &unit, const Breakpoi
                                             int id) {
   Breakpoint made(id);
   if (!llvm::StringRef(wish.condition).trim().empty()) {
-    auto condition = WatchExpression::parse(unit, wish.condition);
+    auto condition = WatchedCondition::parse(unit, wish.condition);
     if (!condition)
       return condition.takeError();
     made.condition_ = std::move(*condition);
@@ -87,7 +86,7 @@ llvm::Expected<Breakpoint> Breakpoint::make(const FileUnit &unit, const Breakpoi
 
 bool Breakpoint::hit(const MachineState &state) {
   // Where it is not known whether the condition holds, whoever looks decides.
-  if (condition_ && truthOf(condition_->evaluate(state)) == Truth::No)
+  if (condition_ && condition_->holds(state) == Truth::No)
     return false;
   return count_.holds(++hits_);
 }

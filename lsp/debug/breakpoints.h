@@ -1,7 +1,7 @@
 // Places and conditions at which a dry run stops.
 #pragma once
 
-#include "lsp/debug/watch_expression.h"
+#include "lsp/debug/watched_value.h"
 
 #include <map>
 #include <set>
@@ -47,12 +47,12 @@ private:
   /// A text, and the value that comes after it.
   struct Piece {
     std::string text;
-    std::optional<WatchExpression> value;
+    std::optional<WatchedValue> value;
   };
   llvm::Error readMessage(const FileUnit &unit, llvm::StringRef text);
 
   int id_;
-  std::optional<WatchExpression> condition_;
+  std::optional<WatchedCondition> condition_;
   HitCount count_;
   uint64_t hits_ = 0;
   std::vector<Piece> message_;

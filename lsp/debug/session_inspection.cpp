@@ -1,5 +1,4 @@
 // One debugging session: what a stopped program shows, and what may be changed in it.
-#include "formats/dialect/vocabulary.h"
 #include "formats/text/failure.h"
 #include "lsp/debug/debug_session.h"
 #include "lsp/debug/session_json.h"
@@ -27,21 +26,6 @@ std::optional<std::pair<llvm::StringRef, llvm::StringRef>> assignmentIn(llvm::St
       llvm::StringRef("<>!=").contains(text[at - 1]))
     return std::nullopt;
   return std::pair(text.take_front(at).trim(), text.drop_front(at + 1).trim());
-}
-
-/// The value of an axis, or of a letter that says what is in force.
-std::optional<std::string> letterValue(llvm::StringRef text, const MachineState &state) {
-  const std::string name = text.upper();
-  for (size_t axis = 0; axis < axisCount; ++axis)
-    if (axisNames()[axis] == name)
-      return valueText(state.position[axis]);
-  if (name == "F")
-    return valueText(state.feed);
-  if (name == "S")
-    return valueText(state.speed);
-  if (name == "T" && state.tool >= 0)
-    return std::to_string(state.tool);
-  return std::nullopt;
 }
 
 } // namespace
@@ -242,7 +226,7 @@ llvm::Expected<Json> DebugSession::evaluate(const Json &arguments) {
   }
   const MachineState &state = stateOf(**frame);
   if (auto value = letterValue(expression, state))
-    return result(std::move(*value));
+    return result(valueText(*value));
   auto parsed = WatchExpression::parse(*(*frame)->unit, expression);
   if (!parsed)
     return parsed.takeError();

@@ -144,6 +144,21 @@ TEST(DryRun, ConditionsAreReadAsTheControlReadsThem) {
   EXPECT_EQ(wrong[0]["verified"], false);
 }
 
+TEST(DryRun, ConditionsAndMessagesKnowTheMachine) {
+  Debugged run(plate);
+  run.breakpoints({{{"line", 11}, {"logMessage", "hole {#101} at {X}, tool {T}"}},
+                   {{"line", 18}, {"condition", "X >= 3"}}});
+  run.begin();
+  run.go("continue");
+  EXPECT_EQ(run.evaluate("X"), "3") << "of 1 and 2 more";
+  const std::string said = run.outputs();
+  EXPECT_NE(said.find("hole 1 at 1, tool 1"), std::string::npos) << said;
+  const Json wrong = run.breakpoints(
+      {{{"line", 17}, {"condition", "Z <"}}, {{"line", 17}, {"condition", "Z < Q"}}});
+  EXPECT_EQ(wrong[0]["verified"], false);
+  EXPECT_EQ(wrong[1]["verified"], false);
+}
+
 TEST(DryRun, HitCountsAndLogPoints) {
   Debugged run(plate);
   run.breakpoints({{{"line", 16}, {"logMessage", "hole {#101} at {#101*10}"}},
