@@ -28,14 +28,15 @@ try {
   for (const [name, run] of Object.entries(steps)) {
     if (plan.only && !new RegExp(plan.only).test(name)) continue;
     const start = Date.now();
-    let picture = Boolean(plan.pictures);
+    const picture = path.join(pictures, name.replace(/\W+/g, '-') + '.png');
+    editor.pictureOfStep = plan.pictures ? picture : '';
     try {
       await run(editor, { ...plan, messages, wrapper });
     } catch (error) {
       console.log(`${name}: ${error.message}`);
-      picture = true;
+      editor.pictureOfStep = picture;
     }
-    if (picture) await editor.shoot(path.join(pictures, name.replace(/\W+/g, '-') + '.png')).catch(() => {});
+    await editor.look().catch(() => {});
     console.log(`took ${Date.now() - start} ms: ${name}`);
     await editor.page.keyboard.press('Escape');
     await editor.dismiss().catch(() => {});

@@ -267,4 +267,10 @@ export class Editor {
   async shoot(file) {
     await this.page.screenshot({ path: file });
   }
+  /** The picture of the step that runs is what is seen now, not what its end leaves. */
+  async look() {
+    if (!this.pictureOfStep) return;
+    await this.shoot(this.pictureOfStep);
+    this.pictureOfStep = '';
+  }
 }

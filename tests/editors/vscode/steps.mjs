@@ -202,6 +202,7 @@ export const steps = {
     await until('the slider at the cursor', async () => /line 9/.test(await view.evaluate(() => document.getElementById('place').textContent)));
     await view.evaluate(() => globalThis.ncvet.pathPane.stepBlock(-1));
     await until('the cursor at the slider', async () => (await editor.ask('return vscode.window.visibleTextEditors[0].selection.active.line')) === 7);
+    await until('the view stays there', async () => /line 8/.test(await view.evaluate(() => document.getElementById('place').textContent)));
   },
 
   async 'explain shows the page of the rule at the cursor'(editor) {
@@ -435,6 +436,7 @@ export const steps = {
     await editor.ask(`const editor = vscode.window.activeTextEditor; editor.selection = new vscode.Selection(7, 5, 7, 5);
       await vscode.commands.executeCommand('editor.action.showHover')`);
     await until('it is seen', async () => (await editor.texts('.monaco-hover')).some((one) => one.includes('Before this block')));
+    await editor.look();
     await editor.open('calls/O0100.nc');
     const afterCall = await until('the hover after a call', () => editor.ask(`const found = await vscode.commands.executeCommand('vscode.executeHoverProvider',
       ${editor.file('calls/O0100.nc')}, new vscode.Position(8, 5)); return found.flatMap((one) => one.contents.map((part) => part.value)).join()`));
@@ -473,6 +475,7 @@ export const steps = {
     await until('the groups of the state', async () => (await rows()).some((row) => row.includes('Position')));
     const x = await editor.ask(`return (await vscode.debug.activeDebugSession.customRequest('evaluate', { expression: 'X', context: 'watch' })).result`);
     same(x, '10', 'X after the first hole');
+    await editor.look();
     await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.stepOver')`);
     await until('the next block', async () => (await frame())?.line === 9);
     await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.stop'); vscode.debug.removeBreakpoints(vscode.debug.breakpoints)`);
