@@ -23,9 +23,33 @@ uint32_t movedLine(uint16_t file, uint32_t line, const ToolPathChange &change) {
   return file == 0 && line >= change.line ? uint32_t(line + change.lines) : line;
 }
 
-bool isSame(const PathMove &old, const PathMove &made, const ToolPathChange &change) {
+/// Whether both are the same but for where they end.
+bool isSameMotion(const PathMove &old, const PathMove &made, const ToolPathChange &change) {
   return old.motion == made.motion && old.machine == made.machine && old.file == made.file &&
-         movedLine(old.file, old.line, change) == made.line && isSamePoint(old.to, made.to);
+         movedLine(old.file, old.line, change) == made.line;
+}
+
+bool isSame(const PathMove &old, const PathMove &made, const ToolPathChange &change) {
+  return isSameMotion(old, made, change) && isSamePoint(old.to, made.to);
+}
+
+/// The moves of `old` that end elsewhere in `made`, of which the first has the number `first`;
+/// none: more than some do, or another thing has changed as well.
+std::vector<uint32_t> movedAmong(llvm::ArrayRef<PathMove> old, llvm::ArrayRef<PathMove> made,
+                                 uint32_t first, const ToolPathChange &change) {
+  // Each is told with its number: fewer bytes than all of them when it is one of so many.
+  constexpr size_t mostOf = 4;
+  std::vector<uint32_t> moved;
+  if (old.size() != made.size())
+    return moved;
+  for (size_t i = 0; i < old.size(); ++i) {
+    const bool fits = isSameMotion(old[i], made[i], change) && moved.size() <= old.size() / mostOf;
+    if (!fits)
+      return {};
+    if (!isSamePoint(old[i].to, made[i].to))
+      moved.push_back(uint32_t(first + i));
+  }
+  return moved;
 }
 
 bool isSame(const PathArc &old, const PathArc &made, int64_t by) {
@@ -157,8 +181,16 @@ void CutPath::trimAll(const ToolPathChange &oldLengths, ToolPathChange &change) 
            [&](const PathMove &a, const PathMove &b, bool) { return isSame(a, b, change); });
     else
       list = {list.first, uint32_t(oldCount), uint32_t(made.moves.size() - list.first)};
+    return sameModes && arcs.isEmpty();
   };
-  trimCurve(rest_.programmed, oldMoves, path_.programmed, change.moves);
+  const uint32_t firstMove = change.moves.first;
+  if (trimCurve(rest_.programmed, oldMoves, path_.programmed, change.moves) &&
+      change.moves.removed == change.moves.added)
+    change.moved = movedAmong(
+        llvm::makeArrayRef(rest_.programmed.moves)
+            .slice(change.moves.first - firstMove, change.moves.removed),
+        llvm::makeArrayRef(path_.programmed.moves).slice(change.moves.first, change.moves.added),
+        change.moves.first, change);
   trimCurve(rest_.centre, count(oldLengths.centre, from.centre), path_.centre, change.centre);
 }
 

@@ -29,6 +29,7 @@ struct ToolPathMemory::Run {
   FileUnit &unit;
   const AnalysisLimits &limits;
   const std::atomic<bool> *cancel;
+  uint64_t piece = 0; ///< see `ToolPathMemory::follow`
 };
 
 /// Keeps points while a program is followed, and finds out when it has come to a known one.
@@ -41,7 +42,7 @@ public:
   };
 
   Marker(ToolPathMemory &memory, const Run &run, const Known &known)
-      : memory_(memory), unit_(run.unit), stop_(run.cancel), known_(known) {}
+      : memory_(memory), unit_(run.unit), stop_(run.cancel), piece_(run.piece), known_(known) {}
 
   void follow(Tracer &programmed, Tracer *centre, const PathPoint *from) {
     programmed_ = &programmed;
@@ -71,7 +72,9 @@ public:
     if (!isKnown && since_ < blocksBetween)
       return;
     PathPoint point = pointAt(step);
-    if (isKnown && goesOnAlike(known_.points.front(), point)) {
+    const bool isMet = isKnown && goesOnAlike(known_.points.front(), point);
+    if (isMet || (isKnown && endsPiece(point))) {
+      isAlike_ = isMet;
       meeting_.emplace(std::move(point));
       cancel = true;
       memory_.programmed_->close();
@@ -86,6 +89,8 @@ public:
 
   /// The known point to which it has come, as it is now; none: it has run to the end.
   const std::optional<PathPoint> &meeting() const { return meeting_; }
+  /// Whether the path goes on there as it is known; else the piece has ended.
+  bool isAlike() const { return isAlike_; }
   /// Known points before that one.
   size_t passed() const { return passed_; }
   uint64_t detours() const { return detours_; }
@@ -134,6 +139,11 @@ private:
            programmed_->isIdle() && (!centre_ || centre_->isIdle());
   }
 
+  /// Whether there are enough blocks, and the path can be taken up here.
+  bool endsPiece(const PathPoint &point) const {
+    return piece_ != 0 && blocks_ >= piece_ && detours_ == 0 && point.rest.sections.hasCut;
+  }
+
   PathPoint pointAt(const Step &step) const {
     PathPoint point{step.block.next,
                     forPath(step.live.state),
@@ -163,6 +173,7 @@ private:
   ToolPathMemory &memory_;
   const FileUnit &unit_;
   const std::atomic<bool> *stop_;
+  const uint64_t piece_;
   Known known_;
   Tracer *programmed_ = nullptr, *centre_ = nullptr;
   std::vector<PathPoint> points_;
@@ -171,6 +182,7 @@ private:
   uint64_t blocks_ = 0, detours_ = 0;
   size_t passed_ = 0;
   uint32_t reach_ = 0, low_ = notYet;
+  bool isAlike_ = false;
   bool turned_ = false; ///< the program did not go straight on since the run began
 };
 
@@ -180,7 +192,8 @@ void ToolPathMemory::clear() {
   programmed_.reset();
   files_.reset();
   path_ = {};
-  whole_ = false;
+  fresh_ = 0;
+  whole_ = stale_ = false;
 }
 
 /// Whether what was followed last is of use after an edit.
@@ -236,6 +249,7 @@ std::optional<ToolPathChange> ToolPathMemory::followAll(const Run &run, bool wit
   if (!withCentre && programmed_->hasCentre())
     return followAll(run, true);
   points_ = marker.takePoints();
+  fresh_ = points_.size();
   low_ = marker.low();
   detours_ = marker.detours();
   settingsAtFirst_ = path_.settings.size();
@@ -243,11 +257,10 @@ std::optional<ToolPathChange> ToolPathMemory::followAll(const Run &run, bool wit
 }
 
 /// Takes the points away that the edit may have made wrong: what is left lies before it. Gives
-/// those after which the program does not come by it again.
-std::vector<PathPoint> ToolPathMemory::takeAfter(const PathEdit &edit) {
+/// those after which the program does not come by it again, and how many of these are fresh.
+std::vector<PathPoint> ToolPathMemory::takeAfter(const PathEdit &edit, size_t &fresh) {
   size_t kept = 0;
-  while (kept < points_.size() && points_[kept].detours == 0 &&
-         points_[kept].reach < edit.change.begin)
+  while (kept < fresh_ && points_[kept].detours == 0 && points_[kept].reach < edit.change.begin)
     ++kept;
   size_t tail = points_.size();
   uint32_t low = low_;
@@ -256,14 +269,16 @@ std::vector<PathPoint> ToolPathMemory::takeAfter(const PathEdit &edit) {
     low = points_[--tail].low;
   std::vector<PathPoint> after(std::make_move_iterator(points_.begin() + ptrdiff_t(tail)),
                                std::make_move_iterator(points_.end()));
+  fresh = fresh_ > tail ? fresh_ - tail : 0;
   while (points_.size() > kept)
     points_.pop_back();
   return after;
 }
 
-/// The point `known` of an earlier run and those after it are points of this one, too.
+/// Known points of an earlier run are points of this one, too, which has come to the first of them
+/// in the same state, or (`isAlike` false) only to its place: then that one is left out.
 void ToolPathMemory::takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met,
-                              int64_t by) {
+                              int64_t by, bool isAlike) {
   const ToolPathChange old = known.front().before, &now = met.before;
   const uint64_t detours = met.detours - known.front().detours;
   for (PathPoint &point : known) {
@@ -285,17 +300,35 @@ void ToolPathMemory::takeOver(llvm::MutableArrayRef<PathPoint> known, const Path
     point.detours += detours;
   }
   known.front().low = met.low;
-  for (PathPoint &point : known)
+  for (PathPoint &point : known.drop_front(isAlike ? 0 : 1))
     points_.push_back(std::move(point));
   if (low_ != Marker::notYet)
     low_ = uint32_t(low_ + by);
   detours_ += detours;
 }
 
+/// The run has come to one of the known points, of which the first ones are fresh.
+void ToolPathMemory::meet(const Marker &marker, llvm::MutableArrayRef<PathPoint> known,
+                          size_t fresh, int64_t by) {
+  const size_t passed = marker.passed();
+  if (!marker.isAlike()) {
+    points_.push_back(*marker.meeting());
+    fresh_ = points_.size();
+    stale_ = true;
+    takeOver(known.drop_front(passed), *marker.meeting(), by, false);
+    return;
+  }
+  stale_ &= passed < fresh;
+  const size_t freshNow = points_.size() + fresh - passed;
+  takeOver(known.drop_front(passed), *marker.meeting(), by, true);
+  fresh_ = stale_ ? freshNow : points_.size();
+}
+
 std::optional<ToolPathChange> ToolPathMemory::followEdit(const Run &run, const PathEdit &edit) {
   files_->use(run.project.sources());
   files_->of(run.unit.source.id());
-  std::vector<PathPoint> after = takeAfter(edit);
+  size_t freshAfter = 0;
+  std::vector<PathPoint> after = takeAfter(edit, freshAfter);
   const PathPoint *const from = points_.empty() ? nullptr : &points_.back();
   ToolPathChange change = from ? from->before : ToolPathChange();
   change.whole = false;
@@ -317,29 +350,33 @@ std::optional<ToolPathChange> ToolPathMemory::followEdit(const Run &run, const P
     return followAll(run, true);
   for (PathPoint &point : marker.takePoints())
     points_.push_back(std::move(point));
-  if (const auto &met = marker.meeting()) {
+  if (marker.meeting()) {
     const auto known = llvm::makeMutableArrayRef(after.data(), after.size());
     old.append(after[marker.passed()].before, change);
-    takeOver(known.drop_front(marker.passed()), *met, by);
+    meet(marker, known, freshAfter, by);
   } else {
     low_ = marker.low();
     detours_ = marker.detours();
+    stale_ = false;
+    fresh_ = points_.size();
     old.compare(change);
   }
   return change;
 }
 
-std::optional<ToolPathChange> ToolPathMemory::follow(Project &project, FileUnit &unit,
-                                                     const AnalysisLimits &limits,
-                                                     const PathEdit *edit,
-                                                     const std::atomic<bool> *cancel) {
-  const Run run{project, unit, limits, cancel};
+std::optional<ToolPathChange>
+ToolPathMemory::follow(Project &project, FileUnit &unit, const AnalysisLimits &limits,
+                       const PathEdit *edit, const std::atomic<bool> *cancel, uint64_t piece) {
+  const Run run{project, unit, limits, cancel, piece};
   if (!edit || !mayBeTakenUp() || dialect_ != unit.dialect) {
     const bool withCentre = centre_ && dialect_ == unit.dialect;
     dialect_ = unit.dialect;
     return followAll(run, withCentre);
   }
-  return followEdit(run, *edit);
+  PathEdit goOn = *edit;
+  if (stale_ && edit->change.begin == edit->change.end && edit->change.added == 0)
+    goOn.tail = std::min(goOn.tail, points_[fresh_ - 1].next);
+  return followEdit(run, goOn);
 }
 
 } // namespace ncvet

@@ -48,9 +48,16 @@ public:
   /// followed last; none: it was another one, or something else has changed that the path depends
   /// on. Programs of other files are those of the last time. Nothing when `cancel` was set
   /// meanwhile: the next time all is followed.
+  ///
+  /// `piece`, when not zero: where an edit changes all that follows, about so many blocks are
+  /// executed, and the rest of the path stays as it was before the edit. The next call goes on
+  /// there, see `isPartial`.
   std::optional<ToolPathChange> follow(Project &project, FileUnit &unit,
                                        const AnalysisLimits &limits, const PathEdit *edit,
-                                       const std::atomic<bool> *cancel);
+                                       const std::atomic<bool> *cancel, uint64_t piece = 0);
+
+  /// Whether the end of the path is still that of an earlier text.
+  bool isPartial() const { return stale_; }
 
   const ToolPath &path() const { return path_; }
   /// Paths of the files whose blocks the path has; the first is that of the program itself.
@@ -65,8 +72,10 @@ private:
   void clear();
   std::optional<ToolPathChange> followAll(const Run &run, bool withCentre);
   std::optional<ToolPathChange> followEdit(const Run &run, const PathEdit &edit);
-  std::vector<PathPoint> takeAfter(const PathEdit &edit);
-  void takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met, int64_t by);
+  std::vector<PathPoint> takeAfter(const PathEdit &edit, size_t &fresh);
+  void takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met, int64_t by,
+                bool isAlike);
+  void meet(const Marker &marker, llvm::MutableArrayRef<PathPoint> known, size_t fresh, int64_t by);
   void runFrom(const Run &run, const PathPoint *from, Marker &marker);
   bool mayBeTakenUp() const;
 
@@ -78,6 +87,8 @@ private:
   std::optional<CentreCollector> centre_; ///< none: the tool is nowhere else
   PathCollector::Rest start_;             ///< before the first block
   std::vector<PathPoint> points_;         ///< as they were passed
+  size_t fresh_ = 0;                      ///< so many of them in the text as it is now
+  bool stale_ = false;                    ///< the path after these is that of an earlier text
   uint32_t low_ = 0;                      ///< no block before this one after the last point
   uint64_t detours_ = 0;                  ///< of the whole path
   size_t settingsAtFirst_ = 0;            ///< when all was followed last

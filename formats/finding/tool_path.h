@@ -154,6 +154,8 @@ struct ListChange {
 struct ToolPathChange {
   bool whole = true; ///< it is another path: the rest says nothing
   ListChange moves;  ///< of `programmed`, with their arcs
+  /// When not empty: of the moves that changed only these do, and only where they end.
+  std::vector<uint32_t> moved;
   ListChange centre; ///< moves of `centre`, with their arcs
   ListChange feeds, dwells, others, sections, operations;
   uint32_t settings = 0; ///< from this one on they are new

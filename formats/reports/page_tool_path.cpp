@@ -180,6 +180,16 @@ Json changeJson(const std::vector<T> &list, const ListChange &change, Write writ
           {"added", write(llvm::makeArrayRef(list).slice(change.first, change.added))}};
 }
 
+/// Moves that only end elsewhere.
+Json placesJson(const PathCurve &curve, llvm::ArrayRef<uint32_t> moved) {
+  Json json = Json::object();
+  json["move"] = column<uint32_t>(moved, [](uint32_t move) { return move; });
+  for (size_t i = 0; i < 3; ++i)
+    json[std::string(1, "xyz"[i])] =
+        column<float>(moved, [&](uint32_t move) { return curve.moves[move].to[i]; });
+  return json;
+}
+
 Json changeJson(const PathCurve &curve, const ListChange &change) {
   return {{"first", change.first},
           {"removed", change.removed},
@@ -208,12 +218,17 @@ std::string toolPathText(const ToolPath &path, llvm::ArrayRef<std::string> files
 }
 
 std::string toolPathChangeText(const ToolPath &path, llvm::ArrayRef<std::string> files,
-                               const ToolPathChange &change) {
+                               const ToolPathChange &change, bool byPlaces) {
   Json json = Json::object();
   json["version"] = 1;
   json["files"] = namesJson(files);
   json["lines"] = {{"from", change.line}, {"by", change.lines}};
-  json["programmed"] = changeJson(path.programmed, change.moves);
+  if (byPlaces && !change.moved.empty())
+    json["programmed"] = {{"first", change.moves.first},
+                          {"removed", change.moves.removed},
+                          {"places", placesJson(path.programmed, change.moved)}};
+  else
+    json["programmed"] = changeJson(path.programmed, change.moves);
   json["centre"] = path.centre.moves.empty() && change.centre.isEmpty()
                        ? Json(nullptr)
                        : changeJson(path.centre, change.centre);

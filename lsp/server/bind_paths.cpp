@@ -13,11 +13,12 @@ void bindPaths(Context &context) {
       return reply.fail(RpcError::InvalidParams, "the document is not open: " + uri);
     auto held = std::make_shared<Reply>(std::move(reply));
     context.paths->post(
-        [&context, held, job = context.job(*document), previous = params.value("previous", "")] {
+        [&context, held, job = context.job(*document),
+         wish = PathWish{params.value("previous", ""), params.value("pieces", false)}] {
           if (held->cancelled())
             return held->fail(RpcError::RequestCancelled, "cancelled");
           const auto crash = runGuarded([&] {
-            auto answer = context.livePaths->answer(job, previous, held->cancelled());
+            auto answer = context.livePaths->answer(job, wish, held->cancelled());
             if (answer)
               held->text(*answer);
             else

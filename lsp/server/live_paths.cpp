@@ -11,6 +11,10 @@ namespace ncvet::lsp {
 
 namespace {
 
+/// Blocks of the first piece of a path of which all is another after an edit: they take some
+/// milliseconds. The pieces after it are larger each time, as each costs a copy of the rest.
+constexpr uint64_t firstPiece = 16'384, growth = 4;
+
 /// Which programs a text holds: calls may lead elsewhere when it holds others.
 std::string programsOf(const FileIndex &index) {
   std::string programs;
@@ -83,7 +87,7 @@ void LivePath::note(const FileSetup &setup, const FileUnit &unit, const CheckJob
       files_[path] = stampOf(path, *job.overlay);
 }
 
-llvm::Expected<std::string> LivePath::answer(const CheckJob &job, llvm::StringRef previous,
+llvm::Expected<std::string> LivePath::answer(const CheckJob &job, const PathWish &wish,
                                              const std::atomic<bool> &cancelled) {
   const Document &document = job.document;
   auto setup = job.session->setup(document.path, *document.text.bytes);
@@ -98,10 +102,12 @@ llvm::Expected<std::string> LivePath::answer(const CheckJob &job, llvm::StringRe
   std::optional<PathEdit> edit;
   if (isOfTheSame(*setup, *job.overlay, answers) && programs_ == programsOf(unit.index))
     edit = editBetween(text_, document.text);
+  const bool goesOn = memory_.isPartial() && edit && text_.bytes == document.text.bytes;
+  piece_ = !wish.pieces ? 0 : goesOn ? piece_ * growth : firstPiece;
   text_ = {};
   LookupRecord record(answers);
   const auto change =
-      memory_.follow(project, unit, setup->limits, edit ? &*edit : nullptr, &cancelled);
+      memory_.follow(project, unit, setup->limits, edit ? &*edit : nullptr, &cancelled, piece_);
   if (!change)
     return "null";
   if (change->whole)
@@ -109,15 +115,17 @@ llvm::Expected<std::string> LivePath::answer(const CheckJob &job, llvm::StringRe
   for (const auto &[lookup, answer] : record.answers())
     lookups_[lookup] = answer;
   note(*setup, unit, job);
-  const bool isNext = !change->whole && previous == std::to_string(lastId_);
+  const bool isNext = !change->whole && wish.previous == std::to_string(lastId_);
   const std::vector<std::string> uris = urisOf(memory_.files());
-  const std::string content = isNext ? toolPathChangeText(memory_.path(), uris, *change)
-                                     : toolPathText(memory_.path(), uris);
-  return formatted(R"({{"id":"{0}","version":{1},"{2}":{3}})", ++lastId_, document.version,
-                   isNext ? "change" : "path", content);
+  const std::string content = isNext
+                                  ? toolPathChangeText(memory_.path(), uris, *change, wish.pieces)
+                                  : toolPathText(memory_.path(), uris);
+  return formatted(R"({{"id":"{0}","version":{1},{2}"{3}":{4}})", ++lastId_, document.version,
+                   memory_.isPartial() ? R"("more":true,)" : "", isNext ? "change" : "path",
+                   content);
 }
 
-llvm::Expected<std::string> LivePaths::answer(const CheckJob &job, llvm::StringRef previous,
+llvm::Expected<std::string> LivePaths::answer(const CheckJob &job, const PathWish &wish,
                                               const std::atomic<bool> &cancelled) {
   const std::string &path = job.document.path;
   const auto found = llvm::find_if(kept_, [&](const Kept &kept) { return kept.path == path; });
@@ -128,7 +136,7 @@ llvm::Expected<std::string> LivePaths::answer(const CheckJob &job, llvm::StringR
       kept_.pop_back();
     kept_.push_front({path, std::make_unique<LivePath>()});
   }
-  return kept_.front().live->answer(job, previous, cancelled);
+  return kept_.front().live->answer(job, wish, cancelled);
 }
 
 void LivePaths::forget(const std::string &path) {

@@ -10,13 +10,18 @@
 
 namespace ncvet::lsp {
 
+/// What the client says when it asks for a path.
+struct PathWish {
+  std::string previous; ///< id of the answer that it has
+  bool pieces = false;  ///< it asks again as long as there is `more`
+};
+
 /// The path of one document, carried from each of its versions to the next.
 class LivePath {
 public:
-  /// What `ncvet/path` answers, as JSON: the whole path, or what is another since the answer that
-  /// had the id `previous`. Null when it was cancelled. Errors are those of configurations and
-  /// tables.
-  llvm::Expected<std::string> answer(const CheckJob &job, llvm::StringRef previous,
+  /// What `ncvet/path` answers, as JSON: the whole path, or what is another since the last answer.
+  /// Null when it was cancelled. Errors are those of configurations and tables.
+  llvm::Expected<std::string> answer(const CheckJob &job, const PathWish &wish,
                                      const std::atomic<bool> &cancelled);
 
 private:
@@ -36,6 +41,7 @@ private:
   /// again in most cases.
   std::map<Lookup, uint64_t> lookups_;
   unsigned lastId_ = 0;
+  uint64_t piece_ = 0; ///< blocks of the last piece
 
   /// More take longer than an editor waits.
   static constexpr size_t mostMoves = 3'000'000;
@@ -44,7 +50,7 @@ private:
 /// Those that are looked at. Belongs to the thread of paths.
 class LivePaths {
 public:
-  llvm::Expected<std::string> answer(const CheckJob &job, llvm::StringRef previous,
+  llvm::Expected<std::string> answer(const CheckJob &job, const PathWish &wish,
                                      const std::atomic<bool> &cancelled);
   void forget(const std::string &path);
   /// After a crash: what it leaves can be neither used nor given back.

@@ -94,13 +94,24 @@ void spliceCurve(PathCurve &curve, const PathCurve &now, const ListChange &chang
   llvm::sort(curve.arcs, [](const PathArc &a, const PathArc &b) { return a.move < b.move; });
 }
 
+/// Moves that only end elsewhere.
+void moveEnds(PathCurve &curve, const PathCurve &now, const ToolPathChange &change) {
+  for (PathMove &move : curve.moves)
+    move.line = movedLine(move.file, move.line, change);
+  for (const uint32_t move : change.moved)
+    curve.moves[move].to = now.moves[move].to;
+}
+
 /// What somebody who has the path as it was makes of it when told of a change.
 void apply(ToolPath &path, const ToolPathChange &change, const ToolPath &now) {
   if (change.whole) {
     path = now;
     return;
   }
-  spliceCurve(path.programmed, now.programmed, change.moves, change);
+  if (change.moved.empty())
+    spliceCurve(path.programmed, now.programmed, change.moves, change);
+  else
+    moveEnds(path.programmed, now.programmed, change);
   spliceCurve(path.centre, now.centre, change.centre, change);
   splice(path.feeds, now.feeds, change.feeds);
   moveAfter(path.feeds, change.feeds, change.moves);
@@ -140,11 +151,23 @@ public:
     std::optional<PathEdit> edit;
     if (change)
       edit = editOf(*change, text);
-    const auto told = memory_.follow(project, unit, {}, edit ? &*edit : nullptr, nullptr);
+    const auto told = memory_.follow(project, unit, {}, edit ? &*edit : nullptr, nullptr, piece_);
     ASSERT_TRUE(told);
     change_ = *told;
     apply(client_, *told, memory_.path());
     text_ = text;
+    ASSERT_EQ(difference(linesOf(client_), linesOf(memory_.path())), "") << "as told:\n" << text;
+    pieces_ = 1;
+    const auto size = uint32_t(text.size());
+    const PathEdit none = editOf({size, size, 0}, text);
+    for (; memory_.isPartial() && pieces_ < mostPieces_; ++pieces_) {
+      const auto more = memory_.follow(project, unit, {}, &none, nullptr, piece_);
+      ASSERT_TRUE(more);
+      apply(client_, *more, memory_.path());
+      ASSERT_EQ(difference(linesOf(client_), linesOf(memory_.path())), "") << "as told:\n" << text;
+    }
+    if (memory_.isPartial())
+      return;
     const std::vector<std::string> due = linesOf(traceToolPath(project, unit, {}, most));
     ASSERT_EQ(difference(linesOf(memory_.path()), due), "") << text;
     ASSERT_EQ(difference(linesOf(client_), due), "") << "as told:\n" << text;
@@ -161,7 +184,14 @@ public:
     follow(edit.applied(text_), &change);
   }
 
+  /// From now on the path is asked for in pieces of so many blocks, `most` of them after an edit.
+  void askInPieces(uint64_t blocks, unsigned most = ~0u) {
+    piece_ = blocks;
+    mostPieces_ = most;
+  }
+
   const std::string &text() const { return text_; }
+  unsigned pieces() const { return pieces_; }
   const ToolPathChange &change() const { return change_; }
   const ToolPathMemory &memory() const { return memory_; }
 
@@ -184,6 +214,8 @@ private:
   ToolPath client_;
   ToolPathChange change_;
   std::string text_;
+  uint64_t piece_ = 0;
+  unsigned pieces_ = 0, mostPieces_ = ~0u; ///< of the last edit
 };
 
 std::string surface(unsigned rows) {
@@ -222,6 +254,31 @@ TEST(ToolPathMemory, AModeThatChangesAllThatFollowsIsFollowedToTheEnd) {
   part.replace("G91", "G90");
 }
 
+TEST(ToolPathMemory, AModeThatChangesAllThatFollowsIsToldInPieces) {
+  Edited part("haas-mill");
+  part.follow(surface(20'000), nullptr);
+  part.askInPieces(3'000);
+  part.replace("G90", "G91");
+  EXPECT_GT(part.pieces(), 4u);
+  EXPECT_LT(part.change().moves.removed, 5'000u) << "of the first piece";
+  part.replace("Y100.", "Y100.5");
+  EXPECT_EQ(part.pieces(), 1u);
+  part.replace("G91", "G90");
+}
+
+TEST(ToolPathMemory, AnEditComesBeforeTheLastPiece) {
+  Edited part("haas-mill");
+  part.follow(surface(20'000), nullptr);
+  part.askInPieces(3'000, 2);
+  part.replace("G90", "G91");
+  part.replace("Y10.", "Y10.5");        // before the pieces that have come
+  part.replace("Y150.", "Y150.5\nX7."); // after them
+  part.replace("G91", "G90");
+  part.replace("Y50.", "");
+  part.askInPieces(0);
+  part.replace("Y60.", "Y61.");
+}
+
 TEST(ToolPathMemory, ALoopBeforeTheEditIsNotRunAgain) {
   Edited part("fanuc-mill");
   std::string text = surface(6'000);
@@ -238,6 +295,20 @@ TEST(ToolPathMemory, ASubprogramThatIsEditedChangesEachCall) {
   text.replace(text.find("M30"), 3, "M98 P200\nX5.\nM98 P200\nM30\nO0200\nG91 X1.\nG90\nM99");
   part.follow(text, nullptr);
   part.replace("G91 X1.", "G91 X2.");
+}
+
+TEST(ToolPathMemory, OfACoordinateInASubprogramOnlyThePlacesAreTold) {
+  Edited part("fanuc-mill");
+  std::string text = surface(100), calls;
+  for (int i = 0; i < 50; ++i)
+    calls += "G0 X" + std::to_string(i) + ".\nM98 P200\n";
+  text.replace(text.find("M30"), 3, calls + "M30\nO0200\nG1 Y1.\nY2.\nY3.\nY4.\nY5.\nM99");
+  part.follow(text, nullptr);
+  part.replace("Y2.\nY3.", "Y2.\nY3.5");
+  EXPECT_EQ(part.change().moved.size(), 50u);
+  part.replace("Y3.5", "\nY3.5");
+  EXPECT_TRUE(part.change().moved.empty());
+  part.replace("Y3.5", "F300. Y3.6");
 }
 
 TEST(ToolPathMemory, AToolWithItsRadiusHasBothPaths) {
@@ -320,6 +391,10 @@ TEST_P(RandomEditsOf, ThePathIsThatOfTheTextAsItIsNow) {
   test::RandomEdits random(unsigned(GetParam()) + 1, which.text);
   unsigned taken = 0;
   for (int i = 0; i < 60; ++i) {
+    if (i % 20 == 10)
+      part.askInPieces(1'100, unsigned(i) % 3 + 1);
+    if (i % 20 == 19)
+      part.askInPieces(0);
     ASSERT_NO_FATAL_FAILURE(part.edit(random.next(part.text())));
     taken += !part.change().whole;
   }

@@ -160,7 +160,12 @@ const lines = text.split('\n'),
 await request('initialize', { capabilities: { general: { positionEncodings: ['utf-16'] } }, initializationOptions: { dialect } });
 notify('initialized', {});
 notify('textDocument/didOpen', { textDocument: { uri, languageId: 'gcode', version: 1, text } });
-const ask = (previous) => request('ncvet/path', { textDocument: { uri }, previous });
+const ask = (previous) => request('ncvet/path', { textDocument: { uri }, previous, pieces: true });
+async function askForAll() {
+  let whole = await ask('');
+  while (whole.more) whole = await ask('');
+  return whole;
+}
 const times = { server: [], view: [] };
 let answer = await ask('');
 let path = new view.ToolPath(answer.path),
@@ -175,21 +180,24 @@ for (let i = 0; i < Number(edits); ++i) {
   const isSilent = mode !== 'measure';
   applied(lines, edit);
   notify('textDocument/didChange', { textDocument: { uri, version: i + 2 }, contentChanges: [edit] });
-  let start = performance.now();
-  const next = await ask(answer.id);
-  times.server.push(performance.now() - start);
-  answer = next;
-  start = performance.now();
-  const done = next.change && splice(next.change);
-  times.view.push(performance.now() - start);
+  let next, done;
+  do {
+    let start = performance.now();
+    next = await ask(answer.id);
+    times.server.push(performance.now() - start);
+    answer = next;
+    start = performance.now();
+    done = next.change && splice(next.change);
+    times.view.push(performance.now() - start);
+  } while (done && next.more);
   if (!done) {
     ++wholes;
-    if (!next.path) answer = await ask('');
+    if (!next.path || next.more) answer = await askForAll();
     if (!answer.path.programmed.count) break;
     path = new view.ToolPath(answer.path);
     curves = curvesOf(path);
   } else if (isSilent || i === Number(edits) - 1) {
-    answer = await ask('');
+    answer = await askForAll();
     const found = [...differences(path, new view.ToolPath(answer.path)), ...faultsOfLevels(curves[0].levels)];
     if (found.length) {
       console.log(`edit ${i} ${JSON.stringify(edit)} ${JSON.stringify(next.change.programmed.first)}: ${found.slice(0, 8).join('; ')}`);

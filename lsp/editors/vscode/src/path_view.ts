@@ -8,6 +8,7 @@ import { isProgram } from './languages';
 interface PathAnswer {
   id: string;
   version: number;
+  more?: boolean; // the rest is still that of an earlier text
   path?: { files: string[] };
   change?: { files: string[] };
 }
@@ -179,11 +180,11 @@ export class PathView {
     this.asksAgain = false;
     try {
       if (document && client && this.panel && this.isReady) {
-        const params = { textDocument: client.code2ProtocolConverter.asTextDocumentIdentifier(document), previous: this.last };
+        const params = { textDocument: client.code2ProtocolConverter.asTextDocumentIdentifier(document), previous: this.last, pieces: true };
         const answer = await client.sendRequest<PathAnswer | null>('ncvet/path', params);
         if (answer && document === this.document) {
           this.show(document, answer, client);
-          this.asksAgain ||= answer.version !== document.version;
+          this.asksAgain ||= answer.more === true || answer.version !== document.version;
         }
       }
     } catch (error) {

@@ -86,6 +86,16 @@ function spliceCurve(curve, { first, removed }, stretch, lines) {
   curve.count += stretch.count - removed;
 }
 
+/** Moves that only end elsewhere. */
+function placeMoves(curve, places, lines) {
+  moveLines(curve, lines);
+  const moves = numbersOf(Uint32Array, places.move);
+  ['x', 'y', 'z'].forEach((name, which) => {
+    const axis = curve.axes[which];
+    numbersOf(Float32Array, places[name]).forEach((value, i) => (axis[moves[i]] = value));
+  });
+}
+
 /** The move with which the block of `move` begins. */
 function blockBegin(curve, move) {
   while (move > 0 && curve.line[move] === curve.line[move - 1]) --move;
@@ -212,18 +222,20 @@ function spliceCentre(path, change) {
  */
 function splicePath(path, curves, change) {
   const { programmed } = change,
-    stretch = new Curve(programmed.added),
-    by = stretch.count - programmed.removed;
+    stretch = programmed.added ? new Curve(programmed.added) : null,
+    count = stretch ? stretch.count : programmed.removed,
+    by = count - programmed.removed;
   if (path.curve.count + by === 0 || programmed.first > path.curve.count) return null;
   const offsets = [path.apart, path.origin];
-  spliceCurve(path.curve, programmed, stretch, change.lines);
+  if (stretch) spliceCurve(path.curve, programmed, stretch, change.lines);
+  else placeMoves(path.curve, programmed.places, change.lines);
   const isOther = spliceModes(path, change, by);
   if (change.settings.length) path.findOffsets();
   if (path.apart !== offsets[0] || !sameList(path.origin ?? [], offsets[1] ?? [])) return null;
   // From the block before on: where a hole ends may be told by the move after it.
   let first = blockBegin(path.curve, Math.min(programmed.first, path.curve.count - 1));
   if (first > 0) first = blockBegin(path.curve, first - 1);
-  let last = Math.max(programmed.first + stretch.count, first);
+  let last = Math.max(programmed.first + count, first);
   last = path.curve.fillRange(path.isLathe, path.cycleWalk(first), first, last);
   // The move after the stretch begins where that ends.
   const next = path.curve.nextTravel(last - 1);
