@@ -57,6 +57,8 @@ private:
 
   llvm::Expected<const Frame *> frameOf(const Json &arguments) const;
   const MachineState &stateOf(const Frame &frame) const;
+  const lsp::Names &namesOf(const FileUnit &unit);
+  bool hasVariables(const FileUnit &unit);
   std::vector<NamedValue> programVariables(const Frame &frame);
   llvm::Expected<Json> changed(llvm::StringRef name, llvm::StringRef value);
   int64_t fromClient(int64_t number, bool startsAt1) const;

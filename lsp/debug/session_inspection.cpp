@@ -97,8 +97,11 @@ llvm::Expected<Json> DebugSession::scopes(const Json &arguments) {
   if (!frame)
     return frame.takeError();
   const auto index = size_t(*frame - run_->frames().data());
+  // Editors open the first group: an empty one shows nothing of the machine.
+  const int64_t first = int64_t(hasVariables(*(*frame)->unit) ? Scope() : Scope::Position);
   Json list = Json::array();
-  for (int64_t scope = 0; scope < scopeCount; ++scope) {
+  for (int64_t i = 0; i < scopeCount; ++i) {
+    const int64_t scope = (first + i) % scopeCount;
     Json one = {{"name", scopeNames[scope].str()},
                 {"variablesReference", referenceOf(index, scope)},
                 {"expensive", false}};
@@ -109,19 +112,30 @@ llvm::Expected<Json> DebugSession::scopes(const Json &arguments) {
   return Json{{"scopes", std::move(list)}};
 }
 
-/// The variables that the file of a frame names, in the order in which it names them.
-std::vector<NamedValue> DebugSession::programVariables(const Frame &frame) {
-  const FileUnit &unit = *frame.unit;
+const lsp::Names &DebugSession::namesOf(const FileUnit &unit) {
   auto &names = names_[unit.source.id()];
   if (!names)
     names = std::make_unique<lsp::Names>(unit);
+  return *names;
+}
+
+bool DebugSession::hasVariables(const FileUnit &unit) {
+  return llvm::any_of(namesOf(unit).all(), [](const lsp::Occurrence &one) {
+    return one.kind == lsp::NameKind::Variable;
+  });
+}
+
+/// The variables that the file of a frame names, in the order in which it names them.
+std::vector<NamedValue> DebugSession::programVariables(const Frame &frame) {
+  const FileUnit &unit = *frame.unit;
+  const lsp::Names &names = namesOf(unit);
   std::vector<NamedValue> shown;
   std::set<uint64_t> known;
   const MachineState &state = stateOf(frame);
-  for (const lsp::Occurrence &one : names->all()) {
+  for (const lsp::Occurrence &one : names.all()) {
     if (one.kind != lsp::NameKind::Variable || !known.insert(one.key).second)
       continue;
-    const llvm::StringRef text = names->text(one);
+    const llvm::StringRef text = names.text(one);
     for (const std::string &spelled : {("#" + text).str(), ("#<" + text + ">").str(), text.str()}) {
       auto value = WatchExpression::parse(unit, spelled);
       if (!value) {

@@ -159,6 +159,16 @@ TEST(DryRun, ConditionsAndMessagesKnowTheMachine) {
   EXPECT_EQ(wrong[1]["verified"], false);
 }
 
+TEST(DryRun, TheFirstGroupOfValuesIsNotEmpty) {
+  const auto firstGroup = [](const std::string &text) {
+    Debugged run(text);
+    run.begin();
+    return run.request("scopes", {{"frameId", run.frames()[0]["id"]}})["scopes"][0]["name"];
+  };
+  EXPECT_EQ(firstGroup(plate), "Variables");
+  EXPECT_EQ(firstGroup("O1\nG54 G00 X0. Y0.\nM30\n"), "Position");
+}
+
 TEST(DryRun, HitCountsAndLogPoints) {
   Debugged run(plate);
   run.breakpoints({{{"line", 16}, {"logMessage", "hole {#101} at {#101*10}"}},
