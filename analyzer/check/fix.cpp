@@ -17,8 +17,9 @@ namespace {
 constexpr unsigned maxRounds = 100;
 /// Rounds that were taken back, at most: a few rules at fault.
 constexpr unsigned maxRefusals = 40;
-/// Fixes that are tried one by one, at most: an editor waits for the answer.
-constexpr unsigned maxTried = 16;
+/// Fixes that are tried one by one, at most, and bytes of text that this may read: an editor waits
+/// for the answer.
+constexpr size_t maxTried = 16, mostTriedBytes = 4 << 20;
 
 /// One check of a text.
 struct Attempt {
@@ -101,10 +102,11 @@ public:
     if (afterFixes(current, together))
       for (const Finding *finding : together)
         held.insert(placeOf(*finding));
-    unsigned tried = 0;
+    const size_t most = std::min(maxTried, mostTriedBytes / (original_.text().size() + 1));
+    size_t tried = 0;
     for (const Finding *finding : wanted)
       if (!held.count(placeOf(*finding)) && (together.size() > 1 || together[0] != finding) &&
-          tried++ < maxTried && afterFixes(current, finding))
+          tried++ < most && afterFixes(current, finding))
         held.insert(placeOf(*finding));
     return held;
   }
