@@ -17,13 +17,20 @@ void checkWithUsers(Context &context, const Document &document) {
         context.check(other);
 }
 
+/// Of a document as the client counts; some say null where they count nothing.
+int64_t versionOf(const Json &document, int64_t before) {
+  const auto version = document.find("version");
+  return version != document.end() && version->is_number_integer() ? version->get<int64_t>()
+                                                                   : before;
+}
+
 void open(Context &context, const Json &params) {
   const Json &item = params.at("textDocument");
   Document document;
   document.uri = item.at("uri");
   document.path = pathOfUri(document.uri);
   document.language = item.value("languageId", "");
-  document.version = item.value("version", int64_t(0));
+  document.version = versionOf(item, 0);
   document.text = textOf(item.at("text").get<std::string>());
   const auto [language, isFirst] = context.languages.emplace(document.path, document.language);
   if (!isFirst && std::exchange(language->second, document.language) != document.language)
@@ -36,8 +43,10 @@ void open(Context &context, const Json &params) {
 void change(Context &context, const Json &params) {
   const Json &item = params.at("textDocument");
   const std::string uri = item.at("uri");
-  const Document *document =
-      context.documents.change(uri, item.value("version", int64_t(0)), params.at("contentChanges"));
+  const Document *document = context.documents.find(uri);
+  if (document)
+    document = context.documents.change(uri, versionOf(item, document->version),
+                                        params.at("contentChanges"));
   if (document) {
     checkWithUsers(context, *document);
     context.prepare(*document);

@@ -3,10 +3,22 @@
 
 #include "formats/text/system/system.h"
 
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/StringExtras.h"
+
 #include <algorithm>
 #include <optional>
 
 namespace ncvet::lsp {
+
+namespace {
+
+/// Whether a header may have a field of this name.
+bool isFieldName(llvm::StringRef name) {
+  return !name.empty() && llvm::all_of(name, [](char c) { return llvm::isAlnum(c) || c == '-'; });
+}
+
+} // namespace
 
 bool MessageReader::fill() {
   if (at_ == buffer_.size()) {
@@ -79,8 +91,8 @@ MessageReader::Result MessageReader::read(std::string &body) {
         wrong = "the value of Content-Length is no number";
       else
         length = number;
-    } else if (name.trim().equals_insensitive("content-type")) {
-      any = true;
+    } else if (isFieldName(name.trim()) && name.size() < line.size()) {
+      any = true; // the type of the content, or what only another one knows
     } else {
       // What follows is not framed: the next header is looked for line by line.
       body = "not a header of a message";

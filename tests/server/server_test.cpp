@@ -70,6 +70,25 @@ TEST(LanguageServer, ABrokenMessageGetsAnErrorAndNoEnd) {
   EXPECT_EQ(client.shutDown(), 0);
 }
 
+TEST(LanguageServer, TakesFurtherHeaderFieldsAndVersionsThatAreNull) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  client.open("/nowhere/O1.nc", "O1\nM30\n");
+  EXPECT_TRUE(client.diagnostics("/nowhere/O1.nc").empty());
+  const std::string body =
+      Json{{"jsonrpc", "2.0"},
+           {"method", "textDocument/didChange"},
+           {"params",
+            {{"textDocument", {{"uri", "file:///nowhere/O1.nc"}, {"version", nullptr}}},
+             {"contentChanges", {{{"text", "O1\nG99999\nM30\n"}}}}}}}
+          .dump();
+  client.sendBytes("X-Sent-By: nobody\r\nCONTENT-LENGTH:  " + std::to_string(body.size()) +
+                   " \r\nContent-Type: application/json\r\n\r\n" + body);
+  EXPECT_EQ(codes(client.diagnostics("/nowhere/O1.nc")),
+            std::vector<std::string>{"2 block-unknown-g-code"});
+  EXPECT_EQ(client.shutDown(), 0);
+}
+
 /// Code that nothing reaches is tagged as unnecessary (1), and nothing else is.
 TEST(LanguageServer, BlocksThatAreNotExecutedAreShownFaded) {
   LanguageClient client;
