@@ -2,6 +2,7 @@
 #include "analyzer/facts/ending_code.h"
 
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 
@@ -37,6 +38,19 @@ std::string returnOf(const Dialect &dialect) {
   const auto code = llvm::find_if(
       dialect.codes, [](const CodeInfo &c) { return c.action == Action::Return && c.letter; });
   return nameOf(code == dialect.codes.end() ? firstCodeWith(dialect, Action::Return) : &*code);
+}
+
+std::string returnHere(const RuleContext &ctx) {
+  Block head;
+  readBlockAt(ctx.source(), ctx.index().reader(), ctx.index().programAt(ctx.block().begin).begin,
+              head);
+  if (head.items.empty() || head.items[0].kind != ItemKind::Structure ||
+      head.items[0].structure != Structure::Sub)
+    return returnOf(ctx.dialect());
+  const Item &sub = head.items[0];
+  const llvm::StringRef text = ctx.source().text(sub.begin, sub.end);
+  const size_t name = sub.nameEnd - sub.begin; // its end; the bracket of a name follows
+  return (text.take_front(name + text.substr(name).startswith(">")) + " return").str();
 }
 
 } // namespace ncvet

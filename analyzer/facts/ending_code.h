@@ -19,5 +19,7 @@ std::string compensationOffCode(const Dialect &dialect, const MachineState &stat
 /// What ends a called program: "M99", "M17", or a word as `<RET>` where no code does. Empty for a
 /// control without one.
 std::string returnOf(const Dialect &dialect);
+/// The same for the program of the current block: "o<name> return" in the brackets of an O-word.
+std::string returnHere(const RuleContext &ctx);
 
 } // namespace ncvet

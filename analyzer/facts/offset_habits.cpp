@@ -56,13 +56,6 @@ bool OffsetHabits::isTool(int64_t number, const RuleContext &ctx) const {
   return lengthsOf(ctx).tools.count(number) != 0;
 }
 
-bool OffsetHabits::isLengthOfOther(const Word &length, const RuleContext &ctx) const {
-  if (!isLength(length) || !length.isNumber())
-    return false;
-  const Lengths &known = lengthsOf(ctx);
-  return known.other.size() == 1 && known.own.count(int64_t(length.value()));
-}
-
 bool OffsetHabits::isSlip(const Word &length, const RuleContext &ctx) const {
   if (!isLength(length) || !length.isNumber())
     return false;

@@ -14,8 +14,6 @@ class OffsetHabits {
 public:
   /// Whether a T word of the current file has the number.
   bool isTool(int64_t number, const RuleContext &ctx) const;
-  /// The tool of the number has its own length, and but one all tools of the file have theirs.
-  bool isLengthOfOther(const Word &length, const RuleContext &ctx) const;
   /// The lengths of at least three others are their own, and a second length of this tool it is
   /// not.
   bool isSlip(const Word &length, const RuleContext &ctx) const;

@@ -313,15 +313,13 @@ unsigned modeDifferences(const MachineState &a, const MachineState &b) {
   unsigned count = 0;
   for (size_t i = 0; i < a.groups.size(); ++i)
     count += a.groups[i] != b.groups[i];
-  const bool others[] = {a.compensation != b.compensation,
-                         a.profile != b.profile,
-                         a.seeksBranch != b.seeksBranch,
-                         a.restoresModes != b.restoresModes,
-                         a.tool.peek() != b.tool.peek(),
-                         a.spindle.peek() != b.spindle.peek(),
-                         a.lengthOffset.peek() != b.lengthOffset.peek(),
-                         a.radiusOffset.peek() != b.radiusOffset.peek(),
-                         !(a.switches == b.switches)};
+  const bool others[] = {
+      a.compensation != b.compensation, a.profile != b.profile, a.seeksBranch != b.seeksBranch,
+      a.restoresModes != b.restoresModes, a.tool.peek() != b.tool.peek(),
+      a.spindle.peek() != b.spindle.peek(), a.lengthOffset.peek() != b.lengthOffset.peek(),
+      a.radiusOffset.peek() != b.radiusOffset.peek(),
+      // (an F that counts in another unit than it was given in)
+      a.must(Fact::FeedCarried) != b.must(Fact::FeedCarried), !(a.switches == b.switches)};
   return count + unsigned(std::count(std::begin(others), std::end(others), true));
 }
 

@@ -1,6 +1,7 @@
 // Shifts, rotations, scaling and mirrors are ended in an order that the control does not allow.
 #include "analyzer/facts/block_before.h"
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/blocks_since.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/project.h"
 
@@ -84,7 +85,7 @@ private:
     const Origin &length = before.origin.of(StatePart::LengthOffset);
     const Origin &frame = before.origin.ofSwitch(code.effect.index);
     if (!length.known() || !frame.known() || length.file != frame.file ||
-        length.begin < frame.begin)
+        length.begin < frame.begin || before.lengthOffset == 0 || wentHome(length, ctx))
       return;
     // The tool goes on at another height, and some versions of the control stop.
     if (auto finding = ctx.report(event))
@@ -93,6 +94,16 @@ private:
                    "ends first",
                    ctx.text(*event.word))
           .note(length, "the length offset begins here");
+  }
+
+  /// A way home since `length` has suspended the offset.
+  static bool wentHome(const Origin &length, const RuleContext &ctx) {
+    bool home = false;
+    blocksSince(length, ctx, [&](const FileUnit &, const Block &block) {
+      home |= findCode(ctx.dialect(), block, {Action::ReferenceReturn}) != nullptr;
+      return !home;
+    });
+    return home;
   }
 
   static bool is(const RuleContext &ctx, StandardGroup group, Action action) {

@@ -37,7 +37,7 @@ public:
       return;
     if (ctx.dialect().endReturns)
       return returns(ctx.flowRange(), event, ctx);
-    const std::string back = returnOf(ctx.dialect());
+    const std::string back = returnHere(ctx);
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding
           .message("`{0}` in a called program ends the whole job, not only this program",

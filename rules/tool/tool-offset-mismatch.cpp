@@ -56,8 +56,10 @@ public:
          !habits_.breaksHabit(word, ctx)))
       return;
     if (auto finding = ctx.report(word)) {
-      if (habits_.isLengthOfOther(word, ctx) || habits_.isSlip(word, ctx))
+      if (isOfOtherTool(word, ctx) || habits_.isSlip(word, ctx))
         finding.severity(Severity::Warning);
+      else if (isFurtherOne(int64_t(event.offset().value()), tool))
+        finding.severity(Severity::Style);
       if (isOfWaiting(event, ctx)) {
         finding.severity(Severity::Warning)
             .message("`{0}` is the offset of T{1}, which still waits for its change: tool {2} is "
@@ -78,6 +80,17 @@ public:
   }
 
 private:
+  /// T4 has H14 and H24 too.
+  bool isFurtherOne(int64_t offset, int64_t tool) const {
+    return ownStep_ > 0 && offset > tool && (offset - tool) % ownStep_ == 0;
+  }
+
+  /// The number is that of another tool of the file: no scheme of numbers has that.
+  bool isOfOtherTool(const Word &word, const RuleContext &ctx) const {
+    return word.address == letterAddress('H') && word.isNumber() &&
+           habits_.isTool(int64_t(word.value()), ctx);
+  }
+
   /// `G44 H2` where all other tools have G43.
   void subtracted(const Event &event, RuleContext &ctx) const {
     if (!habits_.subtractsOnce(ctx))

@@ -160,6 +160,15 @@ TEST(FixPromises, WhatDoesNotMendItsFindingIsNotDoneAgainAndAgain) {
   EXPECT_EQ(text, fixed(session, text, /*unsafe=*/true));
 }
 
+TEST(FixPromises, ASubprogramInBracketsReturnsByItsOwnName) {
+  Session session = sessionOf("linuxcnc", {"flow-program-end-in-subprogram"});
+  const std::string text = "o<pocket> sub\nG0 Z5\nM2\no<pocket> endsub\n"
+                           "G21 G90 G17\no<pocket> call\nM2\n";
+  EXPECT_NE(
+      std::string::npos,
+      fixed(session, text, /*unsafe=*/true).find("G0 Z5\no<pocket> return\no<pocket> endsub"));
+}
+
 TEST(FixPromises, ATextWhoseControlIsAGuessIsLeftAlone) {
   Session session = sessionOf("auto", {"style-lower-case"});
   SourceSet sources;
