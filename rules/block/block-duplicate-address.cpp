@@ -37,13 +37,15 @@ public:
       return sets(ctx);
     const Block &block = ctx.block();
     const AddressMask repeated = block.repeated & ~ctx.dialect().repeatable;
-    AddressMask seen = 0;
+    AddressMask seen = 0, told = 0;
     for (const Word &word : block.words) {
       const AddressMask mask = maskOf(word.address);
       if (!(repeated & mask) || word.has(wordNoValue)) // syntax-incomplete-word speaks of these
         continue;
-      if (seen & mask)
+      if (seen & mask && !(told & mask)) {
+        told |= mask;
         report(*block.find(word.address), word, ctx);
+      }
       seen |= mask;
     }
   }
@@ -125,18 +127,30 @@ private:
 
   std::set<uint64_t> parameters_; ///< keys of the variables that codes read
 
+  /// `again` and what comes after it with the same address.
   static void report(const Word &first, const Word &again, RuleContext &ctx) {
     auto finding = ctx.report(again);
     if (!finding)
       return;
-    const bool same = ctx.text(first) == ctx.text(again);
-    finding.message(same ? "`{1}` is in the block twice"
-                         : "`{1}` is in the block beside `{0}`: only one of them can count",
-                    ctx.text(first), ctx.text(again));
-    finding.note(ctx.range(first), "the first of the two");
+    llvm::SmallVector<const Word *, 4> further;
+    for (const Word &word : ctx.block().words)
+      if (word.address == again.address && word.offset > again.offset)
+        further.push_back(&word);
+    const llvm::StringRef text = ctx.text(first);
+    const bool same = text == ctx.text(again) && llvm::all_of(further, [&](const Word *word) {
+                        return ctx.text(*word) == text;
+                      });
+    const std::string count = further.empty() ? "" : formatted(", and {0} more", further.size());
+    finding.message(same ? "`{0}` is in the block twice{2}"
+                         : "`{1}` is in the block beside `{0}`{2}: only one of them can count",
+                    text, ctx.text(again), count);
+    finding.note(ctx.range(first), "the first of them");
     // Of two values only the programmer knows which one is meant.
-    if (same)
-      finding.fix(FixSafety::Safe, "delete the second word", ctx.remove(again));
+    if (!same)
+      return;
+    finding.fix(FixSafety::Safe, "delete the second word", ctx.remove(again));
+    for (const Word *word : further)
+      finding.edit(ctx.remove(*word));
   }
 };
 
