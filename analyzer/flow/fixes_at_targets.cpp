@@ -7,6 +7,8 @@ namespace {
 
 /// Whether a jump, call or return leads to the block.
 bool isTarget(const NamedTargets &named, const FileUnit &unit, const Block &block) {
+  if (block.kind == BlockKind::ProgramHeader)
+    return !block.isEmpty();
   if (block.number >= 0 && (named.used.anyNumber || named.used.numbers.count(block.number)))
     return true;
   return &unit == &named.unit && block.hasLabel() &&
@@ -14,8 +16,8 @@ bool isTarget(const NamedTargets &named, const FileUnit &unit, const Block &bloc
              unit.reader->labelKey(unit.source.text(block.labelBegin, block.labelEnd)));
 }
 
-/// Offset of what is executed of a block, after its number and label; none: these do not come
-/// first, or stand alone, or the block may be skipped.
+/// Offset of what is executed of a block, after its header, number and label; none: these do not
+/// come first, or stand alone, or the block may be skipped.
 std::optional<uint32_t> afterHead(const Block &block) {
   if (block.skip >= 0 || block.isEmpty())
     return std::nullopt;
@@ -25,7 +27,8 @@ std::optional<uint32_t> afterHead(const Block &block) {
   for (const Item &item : block.items)
     first = std::min(first, item.begin);
   const uint32_t head =
-      std::max(block.number >= 0 ? block.numberEnd : 0, block.hasLabel() ? block.labelEnd : 0);
+      std::max({block.number >= 0 ? block.numberEnd : 0, block.hasLabel() ? block.labelEnd : 0,
+                block.headerEnd, block.nameEnd});
   return head <= first ? std::optional(first) : std::nullopt;
 }
 

@@ -118,6 +118,12 @@ TEST(FixPromises, ABlockIsPutAfterTheNumberToWhichAJumpLeads) {
            block + "\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\nG0 Z50.\nM30\n%\n";
   };
   EXPECT_EQ(program("N100 G80\nT1 M6"), fixed(session, program("N100 T1 M6"), /*unsafe=*/true));
+  const auto called = [](const std::string &block) {
+    return "%\nO1\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\n"
+           "G81 X10. Y10. Z-5. R2. F100.\nM98 P100\nM30\nO100 " +
+           block + "\nM99\n%\n";
+  };
+  EXPECT_EQ(called("G80\nT1 M6"), fixed(session, called("T1 M6"), /*unsafe=*/true));
   // A block that may be skipped becomes two that may be skipped alone: nothing is offered.
   EXPECT_EQ(program("/N100 T1 M6"), fixed(session, program("/N100 T1 M6"), /*unsafe=*/true));
 }
