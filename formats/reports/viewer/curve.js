@@ -65,7 +65,8 @@ class Curve {
       if (!this.isTravel(i)) continue;
       if (isFurther) {
         raw(i);
-        if (this.line[i] !== this.line[i - 1] && known(place(i))) return i;
+        // Outside of cycles nothing is filled, so that nothing comes of what is before it.
+        if (this.line[i] !== this.line[i - 1] && (known(place(i)) || !isOfCycle(i))) return i;
       }
       const to = place(i);
       if (isOfCycle(i) && !known(to) && at && known(at) && !(this.machine[i] & 0x80)) {
