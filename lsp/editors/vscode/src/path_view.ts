@@ -17,7 +17,7 @@ interface PathAnswer {
 type Message =
   | { type: 'ready' | 'again' }
   | { type: 'shown'; what: string; moves: number; took: number }
-  | { type: 'line'; uri: string; line: number };
+  | { type: 'line'; uri: string; line: number; turn: number };
 
 const viewType = 'ncvet.path';
 const severities = ['error', 'warning', 'style', 'style'];
@@ -38,6 +38,7 @@ export class PathView {
   private asksAgain = false;
   private isReady = false;
   private placed = ''; // where the view has put the editor's cursor
+  private turn = 0; // the last time that it did
   private shown: Shown = { what: '', moves: 0, took: 0 };
 
   constructor(
@@ -122,6 +123,7 @@ export class PathView {
     switch (message.type) {
       case 'ready':
         this.isReady = true;
+        this.turn = 0;
         this.last = '';
         this.ask();
         break;
@@ -133,6 +135,7 @@ export class PathView {
         this.shown = message;
         break;
       case 'line':
+        this.turn = message.turn;
         void this.goTo(message.uri, message.line);
         break;
     }
@@ -231,7 +234,7 @@ export class PathView {
     const line = editor.selection.active.line + 1;
     if (this.placed !== `${uri} ${line}`) {
       this.placed = '';
-      this.send({ type: 'cursor', uri, line });
+      this.send({ type: 'cursor', uri, line, turn: this.turn });
     }
   }
 

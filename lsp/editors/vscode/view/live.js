@@ -14,6 +14,7 @@ class LiveApp {
     this.path = null;
     this.measures = null;
     this.wantsFlat = false;
+    this.turn = 0; // times that the view has led the editor
     this.readTheme();
   }
 
@@ -76,8 +77,9 @@ class LiveApp {
     this.placeFindings();
   }
 
-  /** The cursor of the editor is in a line. */
-  take_cursor({ uri, line }) {
+  /** The cursor of the editor is in a line. What was sent before the editor knew where the view has led it is old. */
+  take_cursor({ uri, line, turn = this.turn }) {
+    if (turn < this.turn) return;
     this.cursor = { uri, line };
     this.followCursor();
   }
@@ -153,7 +155,7 @@ class LiveApp {
   }
 
   goTo(uri, line) {
-    host.postMessage({ type: 'line', uri, line });
+    host.postMessage({ type: 'line', uri, line, turn: ++this.turn });
   }
 
   selectFinding(finding) {
