@@ -13,7 +13,7 @@ namespace {
 
 /// Blocks of the first piece of a path of which all is another after an edit: they take some
 /// milliseconds. The pieces after it are larger each time, as each costs a copy of the rest.
-constexpr uint64_t firstPiece = 16'384, growth = 4;
+constexpr uint64_t firstPiece = 16'384, growth = 8;
 
 /// Which programs a text holds: calls may lead elsewhere when it holds others.
 std::string programsOf(const FileIndex &index) {
