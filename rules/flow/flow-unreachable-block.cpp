@@ -89,7 +89,8 @@ private:
         return;
       if (alarm && onlyWaits(block, ctx.dialect()))
         return;
-      if (!file.isReached(block.begin) && !onlyEndsLoop(block) &&
+      // Of a block that cannot be read that is said.
+      if (block.issues.empty() && !file.isReached(block.begin) && !onlyEndsLoop(block) &&
           !(endsAfterLoop(block, ctx) && !ends))
         if (auto finding = ctx.report(contentOf(block, file.source))) {
           if (headsProgram(block))
@@ -105,8 +106,7 @@ private:
 
   /// `PROC NAME`: most likely it is called by its name.
   static bool headsProgram(const Block &block) {
-    return llvm::any_of(block.items,
-                        [](const Item &item) { return item.kind == ItemKind::Parameters; });
+    return !block.items.empty() && block.items.front().kind == ItemKind::Parameters;
   }
 
   /// `END1` after a jump out of the loop: nothing is lost.

@@ -43,7 +43,7 @@ public:
       return;
     }
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
-    if (ctx.block().repeatsIssue(event.issue()))
+    if (ctx.block().repeatsIssue(event.issue()) || isOfUnread(event.issue(), ctx.block()))
       return;
     const char *const what = meaning(issue, ctx);
     if (!what)
@@ -54,6 +54,20 @@ public:
   }
 
 private:
+  /// What comes after a word or a statement that the control cannot read is part of it.
+  static bool isOfUnread(size_t number, const Block &block) {
+    const auto isUnread = [](const SyntaxIssue &issue) {
+      return issue.kind == SyntaxIssueKind::UnknownWord ||
+             issue.kind == SyntaxIssueKind::BadStatement;
+    };
+    const SyntaxIssue &issue = block.issues[number];
+    if (!isUnread(issue) && issue.kind != SyntaxIssueKind::BadExpression)
+      return false;
+    constexpr size_t most = 8; // that are looked at
+    return llvm::any_of(llvm::makeArrayRef(block.issues).take_front(std::min(number, most)),
+                        isUnread);
+  }
+
   /// What is wrong; null: nothing, or another rule says it.
   const char *meaning(const SyntaxIssue &issue, const RuleContext &ctx) const {
     const bool noBrackets =

@@ -186,6 +186,8 @@ TEST_F(SinumerikReading, SlipsAreIssuesAndTheRestIsRead) {
   EXPECT_EQ(issuesOf(blockOf("G1 X10,5 Y20\n")), std::vector{SyntaxIssueKind::DecimalComma});
   EXPECT_EQ(issuesOf(blockOf("G2 X10 CR20\n")), std::vector{SyntaxIssueKind::MissingEquals});
   EXPECT_EQ(issuesOf(blockOf("G1 X (edge) Y5\n")).back(), SyntaxIssueKind::ForeignComment);
+  EXPECT_EQ(issuesOf(blockOf("TRAORI (SIEMENS 5-AXIS TRANSFORMATION)\n")),
+            std::vector{SyntaxIssueKind::ForeignComment});
   EXPECT_EQ(issuesOf(blockOf("IF R1=2 GOTOF END1\n")),
             std::vector{SyntaxIssueKind::AssignmentInTest});
   EXPECT_EQ(issuesOf(blockOf("CYCLE81(50,0,2\n")), std::vector{SyntaxIssueKind::UnbalancedBracket});
@@ -196,6 +198,8 @@ TEST_F(SinumerikReading, SlipsAreIssuesAndTheRestIsRead) {
 TEST_F(SinumerikReading, ASynchronisedActionIsTheRestOfItsBlock) {
   for (const char *text :
        {"WHEN $A_IN[1]==1 DO DELDTG(X) $AC_MARKER[1]=2\n",
+        "WHENEVER ($$AA_IM[X]>$$AA_IM[Y]) DO $AC_OVR=0\n",
+        "id = 14 whenever($$a_ina[3] > 5) do $ac_marker[1] = $$a_ina[3]\n",
         "N10 ID=1 EVERY $A_DBB[5]<>0 DO POS[Q1]=$A_DBB[5] FA[Q1]=500\n",
         "IDS=20 WHENEVER G710 ($AC_PARAM[31]+$A_DBB[55]) DO $A_OUT[1]=1 ELSE $A_OUT[1]=0\n",
         "FROM ($AA_IM[X]>5) AND ($AA_IM[X]<9) DO RDISABLE\n", "DO $A_OUTA[1]=$AA_IM[X]*2\n",
@@ -211,6 +215,7 @@ TEST_F(SinumerikReading, ASynchronisedActionIsTheRestOfItsBlock) {
        {"DO G1 X5\n", "DO F100\n", "DO T2\n", "DO TRANS X5\n", "ID=1 WHEN $A_IN[1]==1 DO G41\n"})
     EXPECT_EQ(issuesOf(blockOf(text)), std::vector{SyntaxIssueKind::NoAction}) << text;
   EXPECT_TRUE(issuesOf(blockOf("DO G71\n")).empty());
+  EXPECT_EQ(issuesOf(blockOf("R1=$$A_IN[1]\n")), std::vector{SyntaxIssueKind::BadExpression});
   EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]==1\n")), std::vector{SyntaxIssueKind::BadStatement});
   EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]=1 DO M8\n")),
             std::vector{SyntaxIssueKind::AssignmentInTest});

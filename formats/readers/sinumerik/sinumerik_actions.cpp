@@ -180,4 +180,19 @@ void SinumerikScanner::scanAction(Deeds &deeds) {
   }
 }
 
+/// Whether the block is a synchronised action: one of its words is at its head.
+bool SinumerikExpression::isInAction(const char *at) const {
+  constexpr size_t head = 80; // characters
+  const char *const begin = base_ + block_.begin;
+  llvm::StringRef text(begin, std::min(size_t(at - begin), head));
+  while (!text.empty()) {
+    const llvm::StringRef word = text.take_while(llvm::isAlpha);
+    for (const char *keyword : {"WHEN", "WHENEVER", "EVERY", "FROM", "DO"})
+      if (word.equals_insensitive(keyword))
+        return true;
+    text = text.drop_front(std::max<size_t>(word.size(), 1));
+  }
+  return false;
+}
+
 } // namespace ncvet

@@ -1,6 +1,8 @@
 // Calls in Sinumerik blocks: codes and programs with their arguments.
 #include "formats/readers/sinumerik/sinumerik_scanner.h"
 
+#include "llvm/ADT/StringExtras.h"
+
 namespace ncvet {
 
 namespace {
@@ -11,6 +13,20 @@ unsigned typographicQuote(const char *at, const char *end) {
                  text.startswith("\xE2\x80\x9E")
              ? 3
              : 0;
+}
+
+/// `(CANCEL TRANSFORMATION)`: words and blanks between the brackets, as in another control's
+/// remark.
+bool looksLikeRemark(const char *at, const char *end) {
+  unsigned words = 0;
+  bool inWord = false;
+  for (++at; at < end && *at != ')'; ++at) {
+    if (!llvm::isAlnum(*at) && *at != ' ' && *at != '-')
+      return false;
+    words += llvm::isAlpha(*at) && !inWord;
+    inWord = *at != ' ';
+  }
+  return words > 1 && at < end;
 }
 } // namespace
 
@@ -37,7 +53,7 @@ void SinumerikScanner::scanCode(CodeIndex code, llvm::StringRef name) {
   word.mantissa = code;
   addWord(word, name.begin());
   const char *const after = afterBlanks(at_);
-  if (after == end_ || *after != '(')
+  if (after == end_ || *after != '(' || (after > at_ && looksLikeRemark(after, end_)))
     return;
   at_ = after;
   Item item = itemAt(ItemKind::Instruction, name.begin());

@@ -466,6 +466,8 @@ bool SinumerikExpression::elements(unsigned depth, Op op, uint64_t array, const 
 
 llvm::StringRef SinumerikExpression::system() {
   const char *const begin = at_++;
+  if (at_ < end_ && *at_ == '$' && isInAction(begin))
+    ++at_; // read anew while the axes move
   const llvm::StringRef name = identifier();
   at_ = name.end();
   if (name.empty() || !skipIndices())

@@ -52,6 +52,7 @@ private:
   /// Steps over a system variable, the cursor is at its `$`; gives its name with the `$`, empty: it
   /// cannot be read.
   llvm::StringRef system();
+  bool isInAction(const char *at) const;
   llvm::StringRef identifier() const;
 
   bool ambiguous_ = false;
