@@ -173,7 +173,8 @@ void checkUnder(const FileSetup &setup, Session &session, Project &project, File
   outcome.cuts = std::move(result.cuts);
   const auto otherControl = [&] { return session.otherControl(setup, nameOf(file), file.text()); };
   dropUndue(project, unit, result.findings);
-  foldForeignText(project, unit, {result.blocks, setup.detected, otherControl}, result.findings);
+  foldForeignText(project, unit, {result.blocks, setup.detected, setup.sure, otherControl},
+                  result.findings);
   SuppressionStep(project, unit, *setup.rules).run(result.findings, outcome);
   if (session.options().contours)
     outcome.contours = contourLines(compensatedContours(project, unit, setup.limits), unit);

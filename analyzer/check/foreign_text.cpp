@@ -19,6 +19,9 @@ constexpr uint64_t unreadablePartOfNamed = 5; // a fifth
 /// The same where the text names another control by itself.
 constexpr uint64_t fewestWrong = 3;
 constexpr uint64_t wrongPart = 20; // a twentieth
+/// What cannot be read where little speaks for the control.
+constexpr uint64_t fewestOfGuess = 3;
+constexpr uint64_t partOfGuess = 20; // a twentieth
 /// Of codes that this control does not have fewer are enough.
 constexpr uint64_t fewestCodes = 2;
 
@@ -102,13 +105,15 @@ bool areSome(const std::set<uint32_t> &lines, uint64_t blocks) {
 struct Fold {
   OtherControl other; ///< its name is empty when the text is of none that is known
   uint64_t lines = 0;
-  bool all = true; ///< all findings go; else those of the language alone
+  bool all = true;       ///< all findings go; else those of the language alone
+  bool doubtful = false; ///< the control is not sure: it may be another one
 };
 
 /// A control with a table, or one that reads nearly the same, is another one only by what is not of
 /// this one's language.
 std::optional<Fold> foldInto(OtherControl other, const WrongLines &wrong, uint64_t blocks) {
-  if (other.name.empty())
+  // Lines for a simulator are dropped, and the rest is a program of this control.
+  if (other.name.empty() || (other.isAlike && other.isNoMachine))
     return std::nullopt;
   const bool areMost = areMany(wrong.ofLanguage, blocks) || areManyCodes(wrong.ofCodes, blocks);
   const uint64_t ofLanguage = wrong.ofLanguage.size();
@@ -150,31 +155,54 @@ uint64_t filledLines(llvm::StringRef text) {
 
 std::string causeOf(const Fold &fold, const WrongLines &wrong) {
   const OtherControl &other = fold.other;
+  if (other.name.empty() && wrong.areComments())
+    return "cannot be read, most for their comments";
   if (other.name.empty())
-    return wrong.areComments() ? "cannot be read, most for their comments"
-                               : "cannot be read: the text is no program of this control";
+    return fold.doubtful ? "cannot be read: the text may be for another control"
+                         : "cannot be read: the text is no program of this control";
   return (fold.lines == 1 ? "is " : "are ") +
          ((other.isNoMachine ? "no program of a machine: " : "for another control: ") +
           other.name) +
          " (" + other.marks + ")";
 }
 
-/// Where the control was found out, a line that bears a mark of one that reads nearly the same is
-/// its command.
+/// A line that bears a mark of a control that reads nearly the same is its command where the
+/// control was found out; a simulator's lines are no blocks for anybody.
 void dropItsCommands(const SourceFile &source, const TextOrigin &origin,
                      std::vector<Finding> &findings) {
   const auto isUnread = [&](const Finding &finding) {
     return finding.range.file == source.id() && isUnreadable(finding);
   };
-  if (!origin.detected || llvm::none_of(findings, isUnread))
+  if (llvm::none_of(findings, isUnread))
     return;
   const OtherControl other = origin.otherControl();
-  if (!other.isAlike)
+  if (!other.isAlike || !(origin.detected || other.isNoMachine))
     return;
   llvm::erase_if(findings, [&](const Finding &finding) {
     const uint32_t at = finding.range.begin;
     return isUnread(finding) && other.hasMark(source.text().slice(source.lines().lineBegin(at),
                                                                   source.lines().lineEnd(at)));
+  });
+}
+
+/// Categories that differ also where the language is nearly the same.
+constexpr llvm::StringLiteral ofLanguageItself[] = {"arc",  "compensation", "contour", "coordinate",
+                                                    "flow", "modal",        "program", "variable"};
+
+/// Of a text for a control without a table nothing is told that rests on codes of the one as which
+/// it is read: of one whose language is nearly the same, what programs, calls and modes are.
+void dropJudgements(const SourceFile &source, const TextOrigin &origin,
+                    std::vector<Finding> &findings) {
+  if (!origin.detected || origin.sure || findings.empty())
+    return;
+  const OtherControl other = origin.otherControl();
+  if (other.name.empty() || other.hasTable)
+    return;
+  llvm::erase_if(findings, [&](const Finding &finding) {
+    const llvm::StringRef category = allRules()[finding.rule].info.category;
+    if (finding.range.file != source.id() || category == "syntax" || category == "block")
+      return false;
+    return !other.isAlike || llvm::is_contained(ofLanguageItself, category);
   });
 }
 
@@ -185,6 +213,7 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   const FileId file = unit.source.id();
   const SourceFile &source = project.sources().get(file);
   dropItsCommands(source, origin, findings);
+  dropJudgements(source, origin, findings);
   const WrongLines wrong(source.lines(), file, findings);
   std::optional<Fold> fold;
   if (areMany(wrong.all, origin.blocks) || wrong.ofCodes.size() >= fewestCodes ||
@@ -194,6 +223,9 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   const uint64_t fewest = origin.detected ? fewestUnreadable : fewestUnreadableOfNamed;
   if (!fold && wrong.unread.size() >= fewest && wrong.unread.size() * part >= origin.blocks)
     fold = Fold{{}, wrong.unread.size(), true};
+  if (!fold && origin.detected && !origin.sure && wrong.unreadable.size() >= fewestOfGuess &&
+      wrong.unreadable.size() * partOfGuess >= origin.blocks)
+    fold = Fold{{}, wrong.ofLanguage.size(), false, true};
   if (!fold)
     return;
   Finding one = toldForAll(*fold, wrong);

@@ -10,15 +10,16 @@ namespace ncvet {
 struct TextOrigin {
   uint64_t blocks = 0;   ///< with content
   bool detected = false; ///< its control was found out, nobody named it
+  bool sure = true;      ///< that it is for this control
   /// The control that the text is for by its own marks, when it is another one; asked only where
   /// it matters.
   llvm::function_ref<OtherControl()> otherControl;
 };
 
 /// Folds the findings of `unit` into one when they have one cause: several blocks are wrong and the
-/// text bears the marks of another control, or much of it cannot be read: a sixth where its control
-/// was a guess, a fifth where somebody has named it. Of less every block that cannot be read is
-/// told.
+/// text bears the marks of another control, or much of it cannot be read: a twentieth where its
+/// control is not sure, a sixth where it was found out, a fifth where somebody has named it. Of
+/// less every block that cannot be read is told.
 void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &origin,
                      std::vector<Finding> &findings);
 

@@ -187,10 +187,31 @@ Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const
   Detection found{fallback_, "nothing in it speaks for a control; read as the usual one"};
   if (best != firstOther && best->value >= minimumScore_)
     found = {dialects_[size_t(best - all.begin())].id, best->reason(), best->value >= sureScore_};
-  if (other == all.end() || other->value < sureScore_ ||
-      (best != firstOther && other->value < best->value))
+  // Lines for a simulator of the same language are no reason to doubt.
+  for (size_t i = 0; i < others_.size(); ++i)
+    if (others_[i].alike && !others_[i].forMachine &&
+        all[dialects_.size() + i].value >= sureScore_) {
+      found.other = others_[i].name;
+      found.otherMarks = all[dialects_.size() + i].reason();
+      found.otherIsAlike = found.otherIsNoMachine = true;
+      found.reason += "; with lines for " + found.other;
+      return found;
+    }
+  if (other == all.end() || other->value < sureScore_)
     return found;
   const OtherControl &without = others_[size_t(other - firstOther)];
+  if (best != firstOther && other->value < best->value) {
+    // The name of a machine in a comment weighs more than what several controls have.
+    constexpr int clear = 8;
+    const auto isName = [](const auto *vote) {
+      return llvm::StringRef(vote->reason).startswith("a comment names");
+    };
+    if (found.sure && best->value - other->value < clear && llvm::any_of(other->votes, isName)) {
+      found.reason += "; but " + other->reason() + " (" + without.name + ")";
+      found.sure = false;
+    }
+    return found;
+  }
   if (!without.readAs.empty())
     found.dialect = without.readAs;
   found.sure = false;

@@ -138,6 +138,18 @@ TEST(Detection, NamesAControlThatHasNoTable) {
            Sample{"(Block-name: Header)\n(Block-enable: 1)\nG21\nG0 X10\n", "Grbl"},
            Sample{"{BEGIN}\n{$DRILL=100}\nGOSUB 100\n{END_SUBS}\nG0 X10\n", "GCodeWorkShop"},
            Sample{"M104 S200\nG28\nG92 E0\nG1 X10 Y10 E2.5 F1500\n", "3D printer"},
+           Sample{"G90\n#486 = #832\nIF #486!=0 GOTO99\nN99 M30\n", "DDCS"},
+           Sample{"[BILLET X100 Y80 Z30;\n[TOOLDEF T1 D2;\nN10 G21 G94;\n", "Denford"},
+           Sample{"G159 N1\nG01 R100 Q0\nG20 K1 X20\n", "Fagor"},
+           Sample{"G00G21G17G90G40G49G80\nG71G91.1\nS18000M3\nG94\nG0 Z28\nT1\nM6\n", "Mach"},
+           Sample{"#<_half>=[#<_width> / 2]\n$SD/Run=/Probing/Init.nc\no210 if [#<_half> LT 0]\n"
+                  "o210 endif\nG38.2 X5 F50\n",
+                  "FluidNC"},
+           Sample{"%PM9000\nN9000\nG22 N=9001\n", "Philips"},
+           Sample{"G100 T5 X0 Y0 Z50. S3000 M3\nG1 Z-2. F200\n", "Brother"},
+           Sample{"(DFS,P100)\nN10 G1 X10 F100\n", "Bosch"},
+           Sample{"PROGRAMMKOPF\n#MATERIAL STAHL\nREVOLVER\nROHTEIL\n", "CNC PILOT"},
+           Sample{"PARTNO TEST\nLOADTL/1\nGOTO/10,0,5\n", "APT"},
        }) {
     const Detection found = detector().detect("x.nc", sample.text);
     EXPECT_FALSE(found.sure) << sample.control;
@@ -182,6 +194,31 @@ TEST(Detection, AToolNumberInACommentIsNoFagorProgram) {
   const Detection found =
       detector().detect("part.gcode", "( M6 T1.0 )\nG21\nG90\nG0 X0 Y0\nG1 X10 F100\nM30\n");
   EXPECT_EQ("", found.other);
+}
+
+TEST(Detection, LinesForASimulatorAreNoReasonToDoubt) {
+  const Detection found = detector().detect(
+      "a.nc", "[BILLET X58 Z48.92\nO1\nT0101\nG71 U2. R1.\nG71 P1 Q2 U.4 F.3\nM30\n");
+  EXPECT_EQ("fanuc-lathe", found.dialect);
+  EXPECT_TRUE(found.sure) << found.reason;
+  EXPECT_TRUE(found.otherIsAlike);
+}
+
+TEST(Detection, WhatIsSaidInACommentIsNoStatement) {
+  for (const char *text : {"%\nO9002\n(M98 P1 call Op1 as a subprogram)\nM98 P1\nM99\n%\n",
+                           "(MSG Spindle Warm Up, hit cycle start)\nG0 X1\n(MSG 64% complete)\n"})
+    EXPECT_EQ("", detector().detect("a.nc", text).other) << text;
+}
+
+TEST(Detection, TheNameOfAMachineInACommentMakesTheGuessUnsure) {
+  const std::string turned = "N10 G28 U0 W0\nN20 T0101\nN30 G96 S180 M3\nN40 G71 U2. R1.\n"
+                             "N50 G71 P60 Q90 U.4 W.1 F.3\nG76 P010060 Q100 R50\nM30\n";
+  EXPECT_TRUE(detector().detect("a.nc", turned).sure);
+  for (const char *name : {"(MAZAK QUICK TURN 200)\n", "(OKUMA LB3000EX)\n"}) {
+    const Detection found = detector().detect("a.nc", name + turned);
+    EXPECT_FALSE(found.sure) << name << found.reason;
+    EXPECT_EQ("", found.other) << name;
+  }
 }
 
 TEST(Detection, WhatIsLeftOutOfAGuessIsNamedRight) {

@@ -113,6 +113,35 @@ TEST(ForeignText, AGuessedControlGivesNoErrorAndNothingThatRestsOnItsFacts) {
   EXPECT_EQ(Severity::Warning, findings[0].finding.severity);
 }
 
+/// What rests on codes of the control that the text is read as is not told of another one's.
+TEST(ForeignText, OfAControlWithoutATableNothingIsSaidOfItsMoves) {
+  EXPECT_EQ(0u, check("auto", "N0 T1.1\nN10 M6\nN20 G0 G90 G43 Z10 F100 S1000 M3\n"
+                              "N140 G1 G42 G37 R20 X10 Y0\nN150 G3 G38 R20 I-10 J0\nN160 M30\n")
+                    .size());
+  EXPECT_EQ(0u, check("auto", "G21\n#region\nM98 P1001 L1\nM30\nO1001\nG1 X5 F100\n"
+                              "M17\n")
+                    .size());
+}
+
+TEST(ForeignText, LinesForASimulatorAreNoBlocks) {
+  const char *const text = "[BILLET X100 Y80 Z30;\n[TOOLDEF T1 D2;\nO0001 (PART)\nG21 G17 G40\n"
+                           "T1 M6\nG54 G0 X0 Y0 S1000 M3\nG43 H1 Z50.\nG1 Z-1. F100.\nX50.\n"
+                           "G0 Z50.\nM5\nM30\n";
+  for (const char *dialect : {"auto", "fanuc-mill"})
+    for (const CheckedFinding &found : check(dialect, text))
+      EXPECT_NE("syntax-error", allRules()[found.finding.rule].info.id)
+          << dialect << found.finding.message;
+}
+
+TEST(ForeignText, WhatAGuessedControlCannotReadIsToldOnce) {
+  const auto findings = check("auto", "O1 (PART)\nG0 X0 Y0\n?SET A\nG1 X5 F100\n?SET B\nX10\n"
+                                      "?SET C\nM30\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_EQ(0u, findings[0].finding.message.find(
+                    "3 of 8 blocks cannot be read: the text may be for another control; the first"))
+      << findings[0].finding.message;
+}
+
 TEST(ForeignText, ATextOfNoMachineIsCalledSo) {
   const auto findings = check("fanuc-mill", "O4113 (MACRO EXAMPLE 1)\n{BEGIN}\n{$DRILL=100}\n"
                                             "{BEGIN_SUBS}\n100 (CIRCLE)\nRETURN\n{END_SUBS}\n"
