@@ -21,7 +21,8 @@ struct OtherRadius {
 };
 
 struct ArcDoublesBackMemory {
-  bool joins = false; ///< an arc by its radius joins its neighbours smoothly
+  bool joins = false;     ///< an arc by its radius joins its neighbours smoothly
+  bool turnsWork = false; ///< the last of `turned` was made on turned work
   /// Those that would do so the other way round, by their places.
   std::map<TextPlace, SourceRange> turned;
   std::map<TextPlace, OtherRadius> other; ///< those that would do so with another radius
@@ -41,7 +42,7 @@ public:
   void finish(const FileSummary &, RuleContext &ctx) const override {
     if (memory().joins && memory().other.size() == 1)
       tellRadius(memory().other.begin()->second, ctx);
-    if (!(memory().joins || ctx.dialect().isLathe()) || memory().turned.size() != 1)
+    if (!(memory().joins || memory().turnsWork) || memory().turned.size() != 1)
       return;
     if (auto finding = ctx.report(memory().turned.begin()->second))
       finding.message("the arc makes a corner at both of its ends, and joins them smoothly when "
@@ -226,8 +227,10 @@ private:
     const Vector after = next->direction(next->from);
     if (joins)
       memory().joins |= end.dot(after) > smooth;
-    else if (turned(end).dot(after) > smooth && memory().turned.size() < 2)
+    else if (turned(end).dot(after) > smooth && memory().turned.size() < 2) {
       memory().turned[{ctx.source().id(), ctx.block().begin}] = ctx.blockRange();
+      memory().turnsWork = ctx.dialect().isLathe() || ncvet::turnsWork(ctx.dialect(), ctx.after());
+    }
   }
 
   /// A corner at both ends, where the arc with another radius over the same chord makes none.
@@ -383,9 +386,9 @@ private:
 
   /// Whether words of axes are coordinates.
   static bool readsAbsolute(const Dialect &dialect, const MachineState &state) {
-    return dialect.group(StandardGroup::Distance) == noGroup
-               ? dialect.isLathe()
-               : state.isActive(dialect, StandardGroup::Distance, {Action::Absolute}) == Truth::Yes;
+    if (dialect.group(StandardGroup::Distance) == noGroup)
+      return dialect.isLathe();
+    return state.isActive(dialect, StandardGroup::Distance, {Action::Absolute}) == Truth::Yes;
   }
 
   /// Direction in which a move begins by the words of its block, which names its code. `lengths`:

@@ -29,7 +29,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
-      ctx.reportNotices(id, event);
+      if (!isSignal(ctx.code(event), ctx))
+        ctx.reportNotices(id, event);
       if (!asksNumbers(ctx.code(event), id))
         sleepInShape();
       return;

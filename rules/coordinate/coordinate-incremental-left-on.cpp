@@ -152,6 +152,24 @@ private:
     return false;
   }
 
+  /// `G0 X0 Y0`: a distance of nothing, where the place of the first cut is meant.
+  static bool leadsNowhere(const Event &event, const RuleContext &ctx) {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    return event.kind == EventKind::Motion && event.motion == MotionKind::Rapid &&
+           !ctx.dialect().isLathe() && axesOf(ctx.dialect(), ctx.block()) == plane &&
+           !ctx.before().modalCalls && llvm::all_of(ctx.block().words, [&](const Word &word) {
+             return !(ctx.dialect().axisWords & maskOf(word.address)) ||
+                    (word.isNumber() && word.mantissa == 0);
+           });
+  }
+
+  /// The block before is a move, too.
+  static bool comesByDistance(const RuleContext &ctx) {
+    BlocksBefore before(ctx);
+    Block block;
+    return before.next(block) && block.hasAny(ctx.dialect().axisWords);
+  }
+
   /// A cycle is called, or the first move with another tool made, under what was on before.
   void early(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
@@ -161,8 +179,8 @@ private:
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::Yes)
       return sleepInShape();
-    if (!memory().saysAbsolute || event.code == noCode || !event.certain ||
-        before.may(Fact::UnknownCode))
+    if (event.code == noCode || !event.certain || before.may(Fact::UnknownCode) ||
+        (!memory().saysAbsolute && (cycle || !leadsNowhere(event, ctx))))
       return;
     const Origin on = before.originOf(ctx.dialect(), StandardGroup::Distance);
     const Origin &tool = before.origin.of(StatePart::Tool);
@@ -183,8 +201,10 @@ private:
     }
     const CodeInfo *code = before.activeCode(ctx.dialect(), StandardGroup::Distance);
     const std::string name = code ? "`" + code->name + "`" : "incremental dimensions";
+    // A chain of distances and cycles is meant: a cycle counts its own way.
+    const bool chain = cycle && comesByDistance(ctx);
     if (auto finding = ctx.report(event))
-      finding.severity(Severity::Warning)
+      finding.severity(chain ? Severity::Style : Severity::Warning)
           .message(cycle ? "`{0}` is called with {1} still on"
                    : afterHome(event, on, ctx)
                        ? "a move that looks like a coordinate after the way home: {1} is still on"

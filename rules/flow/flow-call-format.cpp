@@ -1,5 +1,6 @@
 // A local call gives its target as a block number word.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/foreign_block.h"
 #include "analyzer/facts/lookahead.h"
 #include "interp/evaluate/expression.h"
 #include "interp/value/macro_argument.h"
@@ -28,7 +29,8 @@ public:
         number(ctx);
       return;
     }
-    ctx.reportNotices("flow-call-format", event);
+    if (!isSignal(ctx.code(event), ctx))
+      ctx.reportNotices("flow-call-format", event);
     if (ctx.code(event).action == Action::CallProgram) {
       if (ctx.dialect().lexical.macro && !ctx.code(event).foreign)
         arguments(event, ctx);

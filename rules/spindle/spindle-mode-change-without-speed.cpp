@@ -1,5 +1,7 @@
 // The speed mode changed without a new S, and an S that does not fit its mode.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/text/number_text.h"
@@ -65,10 +67,38 @@ private:
     }
   }
 
+  /// `S160 LIMS=2200 M3` where speeds are revolutions: what would need the limit is not on.
+  static void besideLimit(const Event &event, RuleContext &ctx) {
+    constexpr double highestUsual = 400; // m/min
+    constexpr unsigned furthest = 10;
+    const MachineState &state = ctx.after();
+    const Word *const limit = llvm::find_if(ctx.block().words, [&](const Word &word) {
+      return word.address != letterAddress('S') && word.isNumber() && word.value() > highestUsual &&
+             ctx.dialect().addresses[word.address].unit == AddressUnit::Speed;
+    });
+    if (limit == ctx.block().words.end() || event.speed().value() > highestUsual ||
+        event.word->address != letterAddress('S') || !(state.spindle & (spindleCw | spindleCcw)) ||
+        state.may(Fact::UnknownCode))
+      return;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i)
+      if (findCode(ctx.dialect(), next, {Action::SurfaceSpeed}))
+        return;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "`{0}` is a speed in revolutions, and `{1}` beside it limits the spindle of a "
+          "cutting speed, which is not on",
+          ctx.text(*event.word), ctx.text(*limit));
+  }
+
   void atSpeed(const Event &event, RuleContext &ctx) const {
     if (event.limitsSpeed() || !event.speed().isConstant())
       return;
     const MachineState &state = ctx.after();
+    if (state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed}) ==
+        Truth::No)
+      return besideLimit(event, ctx);
     if (state.activeAction(ctx.dialect(), StandardGroup::SpeedMode) != Action::SurfaceSpeed)
       return;
     constexpr double feetPerMetre = 3.28;

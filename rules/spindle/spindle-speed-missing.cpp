@@ -21,6 +21,10 @@ public:
     to.on({EventKind::SpindleChange, EventKind::CycleStart, EventKind::SpeedWord});
     usesUp_ =
         llvm::any_of(to.dialect().codes, [](const CodeInfo &code) { return code.leavesNoSpeed; });
+    const auto &switches = to.dialect().switches;
+    otherMaster_ = size_t(
+        llvm::find_if(switches, [](const SwitchInfo &one) { return one.id == "other-master"; }) -
+        switches.begin());
     perRevolution_ = to.dialect().facts->feed.perRevolutionNeedsSpeed;
     if (perRevolution_ || !to.dialect().isLathe())
       to.onChange({EventKind::Motion});
@@ -154,6 +158,9 @@ private:
     const Origin &tool = state.origin.of(StatePart::Tool);
     if (!(state.spindle & (spindleCw | spindleCcw)))
       return; // that it does not turn is another rule's matter
+    // The S of another master spindle is a word of its own.
+    if (otherMaster_ < ctx.dialect().switches.size() && state.switchMayBeOn(unsigned(otherMaster_)))
+      return;
     if (!event.certain || event.code == noCode || ctx.before().may(Fact::CutSinceTool) ||
         !state.must(Fact::SpeedSet) || state.may(Fact::UnknownCode) || !tool.known() ||
         !mayBeOfToolBefore(ctx))
@@ -270,6 +277,7 @@ private:
 
   bool usesUp_ = false;        ///< codes of the control leave no speed in force
   bool perRevolution_ = false; ///< a feed per revolution needs a speed
+  size_t otherMaster_ = 0;     ///< the switch of another master spindle
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 // Work with a tool whose offset is cancelled.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/retracted_offset.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/report_once.h"
@@ -127,16 +128,24 @@ private:
                         "the other retracts of the file with D0 are in machine coordinates");
       return;
     }
+    if (leadsDown(event, ctx)) {
+      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+        finding.severity(Severity::Warning)
+            .message("D0 takes the length of the tool off, and the block leads down to a height of "
+                     "the work: the tool goes deeper by its length");
+      return;
+    }
     const bool cuts = event.kind == EventKind::CycleRun ||
                       (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
-    const bool empty = ctx.after().tool == 0;
+    const bool turret = isTurretWithoutEdge(ctx);
+    const bool empty = !turret && ctx.after().tool == 0;
     if (cuts && !retracts_ && !empty && event.kind == EventKind::Motion &&
         isOfRetract(ctx, ctx.after().origin.of(StatePart::RadiusOffset)))
       return; // tool-length-offset-missing speaks
     if (cuts && !empty && event.kind == EventKind::CycleRun && isOfToolBefore(ctx))
       return;
     if (!cuts || event.inMachineCoordinates() || (ctx.after().radiusOffset != 0 && !empty) ||
-        state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
+        state.may(Fact::UnknownCode) || !(turret || state.must(Fact::ToolCalled)) ||
         !memory().once.speaks(
             ctx.after().origin.of(empty ? StatePart::Tool : StatePart::RadiusOffset), ctx))
       return;
@@ -152,6 +161,46 @@ private:
       if (event.kind == EventKind::Motion)
         finding.severity(Severity::Warning);
     }
+  }
+
+  /// `T11 D0` of a turret, which a T alone turns.
+  static bool isTurretWithoutEdge(const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Origin &off = state.origin.of(StatePart::RadiusOffset);
+    if (state.must(Fact::ToolCalled) || state.preselected == notSet || state.radiusOffset != 0 ||
+        !turnsWork(ctx.dialect(), state) || !isHere(ctx, off))
+      return false;
+    Block block;
+    readBlockOf(ctx, off, block);
+    return isWithoutEdge(block) && block.has(letterAddress('T'));
+  }
+
+  /// A work offset is in force, and none that is the machine's own zero.
+  static bool namesZeroPoint(const RuleContext &ctx) {
+    const GroupIndex group = ctx.dialect().group(StandardGroup::WorkOffset);
+    if (group == noGroup || !ctx.after().mayBeStated(group))
+      return false;
+    const GroupInfo &offsets = ctx.dialect().groups[group];
+    const CodeInfo *const code = ctx.after().activeCode(ctx.dialect(), StandardGroup::WorkOffset);
+    return code && code->action == Action::WorkOffset &&
+           (offsets.initial >= offsets.members.size() ||
+            code != &ctx.dialect().codes[offsets.members[offsets.initial]]);
+  }
+
+  /// A rapid move down the tool's axis with D0 in its block, in a work offset, to its zero or
+  /// lower.
+  static bool leadsDown(const Event &event, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (event.kind != EventKind::Motion || event.motion != MotionKind::Rapid ||
+        event.inMachineCoordinates() || ctx.before().radiusOffset == 0 || state.tool == 0 ||
+        !isWithoutEdge(ctx.block()) || !ctx.before().may(Fact::CutSinceTool) ||
+        ctx.find({Action::ToolChange}) || state.may(Fact::UnknownCode) ||
+        turnsWork(ctx.dialect(), state))
+      return false;
+    const Axis tool = toolAxis(ctx.dialect(), state);
+    const Interval &from = ctx.before().at(tool), &to = state.at(tool);
+    return namesZeroPoint(ctx) && from.isConstant() && to.isConstant() && to.value() <= 0 &&
+           to.value() < from.value() && !ctx.before().inMachineCoordinates(tool);
   }
 
   /// A rapid move along the tool with D0 in its block, to a height of the work, where all others of
