@@ -197,10 +197,12 @@ void ToolPathMemory::clear() {
 }
 
 /// Whether what was followed last is of use after an edit.
-bool ToolPathMemory::mayBeTakenUp() const {
-  return whole_ && path_.end.kind != PathEnd::Cut &&
-         path_.settings.size() <= settingsAtFirst_ + mostOldSettings;
+bool ToolPathMemory::mayBeCompared() const {
+  return programmed_ && path_.settings.size() <= settingsAtFirst_ + mostOldSettings;
 }
+
+/// Whether a run from one of its points ends where one from the start does.
+bool ToolPathMemory::mayBeTakenUp() const { return whole_ && path_.end.kind != PathEnd::Cut; }
 
 /// Follows the program from a point, or from its start, and tells the marker.
 void ToolPathMemory::runFrom(const Run &run, const PathPoint *from, Marker &marker) {
@@ -368,10 +370,15 @@ std::optional<ToolPathChange>
 ToolPathMemory::follow(Project &project, FileUnit &unit, const AnalysisLimits &limits,
                        const PathEdit *edit, const std::atomic<bool> *cancel, uint64_t piece) {
   const Run run{project, unit, limits, cancel, piece};
-  if (!edit || !mayBeTakenUp() || dialect_ != unit.dialect) {
+  if (!edit || !mayBeCompared() || dialect_ != unit.dialect) {
     const bool withCentre = centre_ && dialect_ == unit.dialect;
     dialect_ = unit.dialect;
     return followAll(run, withCentre);
+  }
+  if (!mayBeTakenUp()) {
+    points_.clear();
+    fresh_ = 0;
+    stale_ = false;
   }
   PathEdit goOn = *edit;
   if (stale_ && edit->change.begin == edit->change.end && edit->change.added == 0)

@@ -77,6 +77,7 @@ private:
                 bool isAlike);
   void meet(const Marker &marker, llvm::MutableArrayRef<PathPoint> known, size_t fresh, int64_t by);
   void runFrom(const Run &run, const PathPoint *from, Marker &marker);
+  bool mayBeCompared() const;
   bool mayBeTakenUp() const;
 
   size_t most_;

@@ -289,6 +289,17 @@ TEST(ToolPathMemory, ALoopBeforeTheEditIsNotRunAgain) {
   EXPECT_EQ(part.change().moves.added, 1u);
 }
 
+TEST(ToolPathMemory, APathThatIsCutIsComparedWithTheOneBefore) {
+  Edited part("fanuc-mill");
+  std::string text = surface(3'000);
+  text.insert(text.find("X0.0"), "#1=0\nWHILE[#1LT9000000]DO1\n#1=#1+1\nEND1\n");
+  part.follow(text, nullptr);
+  ASSERT_EQ(part.memory().path().end.kind, PathEnd::Unknown) << "the loop is too long";
+  part.replace("Z-1.", "Z-1.5");
+  EXPECT_FALSE(part.change().whole);
+  EXPECT_LT(part.change().moves.added, 3u);
+}
+
 TEST(ToolPathMemory, ASubprogramThatIsEditedChangesEachCall) {
   Edited part("fanuc-mill");
   std::string text = surface(3'000);
