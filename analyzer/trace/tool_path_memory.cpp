@@ -42,7 +42,8 @@ public:
   };
 
   Marker(ToolPathMemory &memory, const Run &run, const Known &known)
-      : memory_(memory), unit_(run.unit), stop_(run.cancel), piece_(run.piece), known_(known) {}
+      : memory_(memory), unit_(run.unit), stop_(run.cancel), piece_(run.piece),
+        movesBefore_(memory.path_.programmed.moves.size()), known_(known) {}
 
   void follow(Tracer &programmed, Tracer *centre, const PathPoint *from) {
     programmed_ = &programmed;
@@ -139,9 +140,11 @@ private:
            programmed_->isIdle() && (!centre_ || centre_->isIdle());
   }
 
-  /// Whether there are enough blocks, and the path can be taken up here.
+  /// Whether there are enough blocks or moves, and the path can be taken up here.
   bool endsPiece(const PathPoint &point) const {
-    return piece_ != 0 && blocks_ >= piece_ && detours_ == 0 && point.rest.sections.hasCut;
+    const uint64_t moves = memory_.path_.programmed.moves.size() - movesBefore_;
+    return piece_ != 0 && std::max(blocks_, moves) >= piece_ && detours_ == 0 &&
+           point.rest.sections.hasCut;
   }
 
   PathPoint pointAt(const Step &step) const {
@@ -173,7 +176,7 @@ private:
   ToolPathMemory &memory_;
   const FileUnit &unit_;
   const std::atomic<bool> *stop_;
-  const uint64_t piece_;
+  const uint64_t piece_, movesBefore_;
   Known known_;
   Tracer *programmed_ = nullptr, *centre_ = nullptr;
   std::vector<PathPoint> points_;

@@ -50,8 +50,8 @@ public:
   /// meanwhile: the next time all is followed.
   ///
   /// `piece`, when not zero: where an edit changes all that follows, about so many blocks are
-  /// executed, and the rest of the path stays as it was before the edit. The next call goes on
-  /// there, see `isPartial`.
+  /// executed, or moves made, and the rest of the path stays as it was before the edit. The next
+  /// call goes on there, see `isPartial`.
   std::optional<ToolPathChange> follow(Project &project, FileUnit &unit,
                                        const AnalysisLimits &limits, const PathEdit *edit,
                                        const std::atomic<bool> *cancel, uint64_t piece = 0);
