@@ -59,14 +59,18 @@ class Curve {
       cutBefore = this.lastFeed(first - 1);
     let at = before < 0 ? null : place(before),
       cut = cutBefore < 0 ? null : place(cutBefore),
-      cutLine = cutBefore < 0 ? 0 : this.line[cutBefore];
+      cutLine = cutBefore < 0 ? 0 : this.line[cutBefore],
+      isAsBefore = false; // the last place, of a further move
     for (let i = first; i < this.count; ++i) {
       const isFurther = i >= last;
       if (!this.isTravel(i)) continue;
+      const former = isFurther ? place(i) : null;
       if (isFurther) {
+        const isBegin = this.line[i] !== this.line[i - 1];
+        if (isBegin && isAsBefore) return i;
         raw(i);
         // Outside of cycles nothing is filled, so that nothing comes of what is before it.
-        if (this.line[i] !== this.line[i - 1] && (known(place(i)) || !isOfCycle(i))) return i;
+        if (isBegin && (known(place(i)) || !isOfCycle(i))) return i;
       }
       const to = place(i);
       if (isOfCycle(i) && !known(to) && at && known(at) && !(this.machine[i] & 0x80)) {
@@ -88,6 +92,7 @@ class Curve {
         });
         ++this.guessed;
       }
+      isAsBefore = isFurther && to.every((x, axis) => Object.is(x, former[axis]));
       at = to;
       if (this.kind[i] === Feed) {
         cut = to;
