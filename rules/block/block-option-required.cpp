@@ -70,7 +70,10 @@ private:
 
   /// A turret changes by T: on a control for mills and lathes the program's modes say which it is.
   static bool turns(const MachineState &state, const Dialect &dialect) {
-    return state.isActive(dialect, StandardGroup::Plane, {Action::PlaneZX}) == Truth::Yes;
+    const GroupIndex diameters = dialect.group(StandardGroup::Diameter);
+    return state.isActive(dialect, StandardGroup::Plane, {Action::PlaneZX}) == Truth::Yes ||
+           (diameters != noGroup &&
+            state.mayBeStated(diameters)); // a driven tool, in its own plane
   }
 
   std::string change_;

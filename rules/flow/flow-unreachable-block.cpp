@@ -82,7 +82,7 @@ private:
       file.reader.read(at, block);
       if (block.kind == BlockKind::Normal && ends && block.hasLabel())
         return; // a section that cycles and other programs name by its label
-      if (block.isEmpty() || block.kind != BlockKind::Normal)
+      if (block.isEmpty() || block.kind != BlockKind::Normal || isMark(block, ctx.dialect()))
         continue;
       // What a jump names is for other arguments than those of the calls in this file.
       if (block.number >= 0 && llvm::is_contained(file.usedNumbers, block.number))
@@ -102,6 +102,19 @@ private:
         }
       return;
     }
+  }
+
+  /// `GROUP_END(0,0)`: an editor's mark, of which the control executes nothing.
+  static bool isMark(const Block &block, const Dialect &dialect) {
+    const auto isWord = [](const CodeInfo &one) {
+      return !one.letter && one.action == Action::None && one.group == noGroup;
+    };
+    const CodeInfo *const code = findReading(dialect, block, isWord);
+    return code && block.items.size() == 1 &&
+           llvm::any_of(dialect.codes, [&](const CodeInfo &other) {
+             return isWord(other) && other.opposite != noCode &&
+                    &dialect.codes[other.opposite] == code;
+           });
   }
 
   /// `PROC NAME`: most likely it is called by its name.

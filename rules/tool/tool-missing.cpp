@@ -42,6 +42,11 @@ public:
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
          event.motion == MotionKind::Skip || event.inMachineCoordinates()))
       return;
+    // Other axes than those of the work are driven by grinding and loading machines.
+    constexpr uint16_t ofWork =
+        1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y) | 1u << unsigned(Axis::Z);
+    if (event.kind == EventKind::Motion && !(event.axes & ofWork))
+      return;
     const bool unsaid =
         !ctx.after().may(Fact::SpeedSet) && !ctx.after().may(Fact::SpindleStated) && !nameless;
     if (anyMachine_ && unsaid && saysNothingOfTools(ctx))
