@@ -142,6 +142,15 @@ TEST(ForeignText, WhatAGuessedControlCannotReadIsToldOnce) {
       << findings[0].finding.message;
 }
 
+TEST(ForeignText, ATestOfColoursIsToldOnce) {
+  const auto findings = check("sinumerik", "; SYNTAX TEST \"nc.sublime-syntax\"\nDEF REAL DEPTH=5\n"
+                                           "T=\"MILL\" D1 M6\nDEF\n; ^ invalid\nG=10\n"
+                                           "R1=\nM30\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_NE(std::string::npos, findings[0].finding.message.find("no program of a machine"))
+      << findings[0].finding.message;
+}
+
 TEST(ForeignText, ATextOfNoMachineIsCalledSo) {
   const auto findings = check("fanuc-mill", "O4113 (MACRO EXAMPLE 1)\n{BEGIN}\n{$DRILL=100}\n"
                                             "{BEGIN_SUBS}\n100 (CIRCLE)\nRETURN\n{END_SUBS}\n"
