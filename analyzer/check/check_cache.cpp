@@ -21,7 +21,7 @@ namespace fs = llvm::sys::fs;
 namespace path = llvm::sys::path;
 
 /// The form of the files: other ones are none of ours.
-constexpr llvm::StringLiteral form = "ncvet outcome 2\n";
+constexpr llvm::StringLiteral form = "ncvet outcome 3\n";
 /// An outcome is some findings: one with the most that rules may make takes less.
 constexpr uint64_t largestOutcome = 64u << 20;
 /// What is not used for so long belongs to programs that are done.
@@ -68,8 +68,7 @@ std::string CheckCache::settingsFor(const std::shared_ptr<const Config> &config)
   return known;
 }
 
-std::optional<std::string> CheckCache::pathFor(const SourceFile &file,
-                                               llvm::ArrayRef<FollowedCall> followed) {
+std::optional<std::string> CheckCache::pathFor(const SourceFile &file, const OuterCalls &outer) {
   auto config = session_.configOf(file.path().empty() ? file.display() : file.path());
   if (!config) {
     llvm::consumeError(config.takeError()); // the check tells it
@@ -84,8 +83,14 @@ std::optional<std::string> CheckCache::pathFor(const SourceFile &file,
                                 << current << '\n'
                                 << settingsFor(*config) << file.path() << '\0' << file.display()
                                 << '\0' << file.text().size() << ' ' << llvm::xxHash64(file.text());
-  for (const auto &[block, groups] : followed)
-    llvm::raw_string_ostream(key) << ' ' << block << ' ' << groups;
+  llvm::raw_string_ostream out(key);
+  for (const auto &[block, groups] : outer.followed)
+    out << ' ' << block << ' ' << groups;
+  if (outer.work)
+    out << " work " << *outer.work;
+  if (outer.circle)
+    out << " circle " << llvm::join(*outer.circle, "\n");
+  out.flush();
   llvm::SHA1 hash;
   hash.update(key);
   llvm::SmallString<256> at(folder_);
@@ -150,7 +155,7 @@ void CheckCache::keep(const std::string &path, const SourceFile &file, const Fil
 
 FileOutcome CheckCache::check(const SourceFile &file, const std::atomic<bool> *cancel,
                               CheckStore &store, Opened &opened) {
-  const std::optional<std::string> path = pathFor(file, store.outer.followed);
+  const std::optional<std::string> path = pathFor(file, store.outer);
   if (!path)
     return checkFile(session_, sources_, file, cancel, nullptr, &store);
   if (auto known = find(*path, file, opened)) {
@@ -160,7 +165,8 @@ FileOutcome CheckCache::check(const SourceFile &file, const std::atomic<bool> *c
   }
   const LookupRecord record(answers_);
   FileOutcome outcome = checkFile(session_, sources_, file, cancel, nullptr, &store);
-  if (outcome.error.empty() && !outcome.postponed && !full_ && !(cancel && *cancel))
+  const bool isWhole = outcome.error.empty() && !outcome.postponed && !outcome.restsOnOthers;
+  if (isWhole && !full_ && !(cancel && *cancel))
     keep(*path, file, outcome, record);
   return outcome;
 }

@@ -37,7 +37,7 @@ private:
         answers_(session.folders()) {}
 
   /// Where the outcome is; none: the file's configuration cannot be read.
-  std::optional<std::string> pathFor(const SourceFile &file, llvm::ArrayRef<FollowedCall> followed);
+  std::optional<std::string> pathFor(const SourceFile &file, const OuterCalls &outer);
   std::string settingsFor(const std::shared_ptr<const Config> &config);
   std::optional<FileOutcome> find(const std::string &path, const SourceFile &file, Opened &opened);
   void keep(const std::string &path, const SourceFile &file, const FileOutcome &outcome,

@@ -1,6 +1,7 @@
 // What checks of many files share.
 #pragma once
 
+#include "analyzer/flow/body_memos.h"
 #include "analyzer/flow/outer_calls.h"
 #include "analyzer/setup/session.h"
 
@@ -32,6 +33,8 @@ public:
   }
   /// After a crash: what it leaves can be neither used nor given back.
   void abandon() {
+    if (outer.bodies)
+      outer.bodies->abandon();
     for (Shared &one : shared_)
       static_cast<void>(one.project.release());
     shared_.clear();

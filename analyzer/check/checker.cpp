@@ -163,6 +163,8 @@ void checkUnder(const FileSetup &setup, Session &session, Project &project, File
                                   again ? again->memory.runsFor(unit.index) : nullptr, outer);
   outcome.postponed = result.postponed;
   outcome.asksOuter = result.asksOuter;
+  outcome.restsOnOthers = result.restsOnOthers;
+  outcome.work = result.work;
   outcome.followed = std::move(result.followed);
   if (result.postponed)
     return;

@@ -37,8 +37,10 @@ struct FileOutcome {
   std::vector<CheckedFinding> findings;
   /// (name of the file, offset) of suppressions in called files that this file made use of.
   std::vector<std::pair<std::string, uint32_t>> usedSuppressions;
-  bool postponed = false; ///< see `OuterCalls`: the file is checked later
-  bool asksOuter = false; ///< it is one that would be postponed
+  bool postponed = false;     ///< see `OuterCalls`: the file is checked later
+  bool asksOuter = false;     ///< it is one that would be postponed
+  bool restsOnOthers = false; ///< see `AnalysisResult`
+  uint64_t work = 0;          ///< the same
   /// See `AnalysisResult`.
   FollowedCallsOfFiles followed;
 };

@@ -12,10 +12,15 @@ class FollowedCalls {
 public:
   /// Begins of blocks, and what is known of their calls.
   using Blocks = std::map<uint32_t, uint64_t>;
+  using Key = std::tuple<const Config *, std::string, bool>;
 
+  /// Who was checked to such an end.
+  static Key keyOf(const Config *config, const FileOutcome &outcome) {
+    return keyOf(config, outcome, isNarrowed(outcome));
+  }
   /// The check of a file under this configuration has come to such an end.
   void add(const Config *config, const FileOutcome &outcome) {
-    auto &files = known_[keyOf(config, outcome, isNarrowed(outcome))];
+    auto &files = known_[keyOf(config, outcome)];
     for (const auto &[path, calls] : outcome.followed)
       for (const FollowedCall &call : calls)
         files[path][call.block] |= call.groups;
@@ -37,8 +42,6 @@ public:
   }
 
 private:
-  using Key = std::tuple<const Config *, std::string, bool>;
-
   /// Of a control that is only guessed less is reported.
   static bool isNarrowed(const FileOutcome &outcome) { return outcome.guessed && !outcome.sure; }
   static Key keyOf(const Config *config, const FileOutcome &outcome, bool narrowed) {

@@ -64,12 +64,14 @@ public:
 
   std::string run(const FileOutcome &outcome) {
     const auto &[error, dialect, title, reason, guessed, sure, blocks, complete, cuts, contours,
-                 failOn, findings, usedSuppressions, postponed, asksOuter, followed] = outcome;
+                 failOn, findings, usedSuppressions, postponed, asksOuter, restsOnOthers, work,
+                 followed] = outcome;
     for (const std::string *one : {&dialect, &title, &reason})
       out_.text(*one);
-    for (const bool one : {guessed, sure, complete, postponed, asksOuter})
+    for (const bool one : {guessed, sure, complete, postponed, asksOuter, restsOnOthers})
       out_.number(one);
     out_.number(blocks);
+    out_.number(work);
     for (const std::vector<std::string> *list : {&cuts, &contours}) {
       out_.number(list->size());
       for (const std::string &one : *list)
@@ -175,9 +177,10 @@ public:
     for (std::string *one : {&outcome.dialect, &outcome.dialectTitle, &outcome.reason})
       *one = in_.text().str();
     for (bool *one : {&outcome.guessed, &outcome.sure, &outcome.complete, &outcome.postponed,
-                      &outcome.asksOuter})
+                      &outcome.asksOuter, &outcome.restsOnOthers})
       *one = in_.number(2);
     outcome.blocks = in_.number();
+    outcome.work = in_.number();
     for (std::vector<std::string> *list : {&outcome.cuts, &outcome.contours})
       for (uint64_t left = in_.number(); left && !in_.failed(); --left)
         list->push_back(in_.text().str());

@@ -3,10 +3,18 @@
 
 #include "analyzer/cli/check_job.h"
 
+#include <map>
+
 namespace ncvet::cli {
 
-/// Groups of jobs of which no one calls one of another group, by their texts: each in an order in
-/// which callers come before what they call, as far as they do not call each other in circles.
-std::vector<std::vector<Job *>> groupsByCalls(llvm::ArrayRef<Job *> jobs, Session &session);
+/// Jobs whose files call one another.
+struct CallGroup {
+  std::vector<Job *> jobs; ///< callers before what they call, as far as there are no circles
+  /// Of jobs in circles of calls, see `OuterCalls::circle`.
+  std::map<const Job *, std::shared_ptr<const std::vector<std::string>>> circles{};
+};
+
+/// Groups of jobs of which no one calls one of another group, by their texts.
+std::vector<CallGroup> groupsByCalls(llvm::ArrayRef<Job *> jobs, Session &session);
 
 } // namespace ncvet::cli

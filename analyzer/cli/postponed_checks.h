@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/check/followed_calls.h"
-#include "analyzer/cli/check_job.h"
+#include "analyzer/cli/call_groups.h"
 
 namespace ncvet::cli {
 
@@ -13,19 +13,25 @@ public:
   PostponedChecks(std::vector<Job> &jobs, Session &session);
 
   /// Each is checked in its order, by one thread.
-  const std::vector<std::vector<Job *>> &groups() const { return groups_; }
-  OuterCalls outerCallsOf(const Job &job) const;
+  std::vector<std::vector<Job *>> groups() const;
+  OuterCalls outerCallsOf(const Job &job);
   /// The job has been checked.
   void add(const Job &job);
 
 private:
+  /// Files that call one another, and what their checks have found out so far.
+  struct Group : CallGroup {
+    FollowedCalls followed{};
+    std::map<FollowedCalls::Key, std::shared_ptr<BodyMemos>> bodies{};
+    uint64_t work = 0; ///< that was done
+  };
+
   const Config *configOf(const Job &job) const;
 
   Session &session_;
   FollowedCalls followed_; ///< by the checks that were not postponed
-  std::vector<std::vector<Job *>> groups_;
-  std::vector<FollowedCalls> inGroup_;
-  std::map<const Job *, size_t> groupOf_;
+  std::vector<Group> groups_;
+  std::map<const Job *, Group *> groupOf_;
 };
 
 } // namespace ncvet::cli

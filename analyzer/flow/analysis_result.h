@@ -16,6 +16,8 @@ struct AnalysisResult {
   std::vector<std::string> cuts; ///< why, one line each
   bool postponed = false;        ///< see `OuterCalls`: nothing was found out
   bool asksOuter = false;        ///< what `OuterCalls` says of some call was asked for
+  bool restsOnOthers = false;    ///< on what earlier checks have found out of called programs
+  uint64_t work = 0;             ///< done, counted as `AnalysisLimits::repeatedBlocks`
   /// By the path of another file: begins of its blocks whose calls of further files were followed,
   /// and came back.
   FollowedCallsOfFiles followed;

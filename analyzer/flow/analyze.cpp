@@ -13,8 +13,11 @@ std::optional<AnalysisResult> analyzeOnce(Project &project, FileUnit &unit,
                                           const RuleSelection &rules, const AnalysisLimits &limits,
                                           const std::atomic<bool> *cancel, StraightRuns *runs,
                                           const OuterCalls *outer) {
-  Engine engine(project, unit, limits, cancel);
-  RuleHost host(unit, rules, limits, engine.visits);
+  AnalysisLimits own = limits;
+  if (outer && outer->work)
+    own.repeatedBlocks = std::min(own.repeatedBlocks, *outer->work);
+  Engine engine(project, unit, own, cancel);
+  RuleHost host(unit, rules, own, engine.visits);
   engine.listen(host);
   if (runs) {
     engine.reuse(*runs, host);
@@ -31,6 +34,8 @@ std::optional<AnalysisResult> analyzeOnce(Project &project, FileUnit &unit,
   result.cuts = engine.cutsMade();
   result.postponed = engine.postponed;
   result.asksOuter = engine.hasAskedOuter();
+  result.restsOnOthers = engine.hasRestedOnOthers();
+  result.work = engine.workSpent();
   result.followed = engine.followedCalls();
   if (!result.postponed) {
     result.findings = host.take(project.sources());

@@ -1,14 +1,14 @@
 // Runs called bodies, and remembers what each did for which state.
 #include "analyzer/flow/called_bodies.h"
 
+#include "formats/dialect/control_facts.h"
+#include "interp/state/equal_but_cut.h"
 #include "interp/value/work_meter.h"
 
 namespace ncvet {
 
 namespace {
 
-/// Results of one called program that are remembered.
-constexpr size_t memosPerProgram = 64;
 /// After so many runs none of which was like one that is remembered, only one of so many is
 /// compared with them: a macro in a loop is called with other numbers each time.
 constexpr unsigned mostInVain = 256, lookedAtThen = 16;
@@ -19,60 +19,73 @@ constexpr uint64_t workOfRecall = 4;
 
 } // namespace
 
-/// Where things were set that the body neither looks at nor sets is where that was on the way here.
-static void keepOrigins(const StateUse &use, const MachineState &here, MachineState &left) {
-  const OriginState::Places &before = here.origin.all();
-  OriginState::Places &after = left.origin.all();
-  for (size_t i = 0; i < after.size(); ++i) {
-    const bool isGroup = i < maxGroups;
-    const uint64_t used = isGroup ? use.groupOrigins : use.otherOrigins;
-    if (!(used >> (isGroup ? i : i - maxGroups) & 1))
-      after[i] = before[i];
-  }
+/// What is known of bodies: of those that other runs have followed as well, where whoever calls
+/// this program is not known, and what they have called tells nothing of its file.
+BodyMemos &CalledBodies::memos() {
+  if (memos_)
+    return *memos_;
+  const FileIndex &index = run_.unit.index;
+  const bool shares = run_.outer && run_.outer->bodies && run_.entryUnknown && !calls_ &&
+                      index.programs().size() == 1 && index.subprograms().empty() &&
+                      !run_.outer->bodies->isAbandoned();
+  memos_ = shares ? run_.outer->bodies.get() : &own_;
+  memos_->begin(run_.unit.dialect);
+  if (shares)
+    mainFile_ = memos_->numberOf(run_.unit.source.path());
+  return *memos_;
+}
+
+/// A run of the body that did what a run now would do; null: there is none.
+const BodyMemos::Memo *CalledBodies::find(const Region &region, const Remembered &body,
+                                          uint64_t sum, unsigned sections, const Live &live) const {
+  const Dialect &dialect = *region.unit.dialect;
+  const unsigned depth = region.depth();
+  for (const Memo &memo : body.memos)
+    if (memo.holdsFor(sum, live.state) && sections <= memo.sections &&
+        !memo.goesTooDeep(depth, dialect.limits.callDepth) &&
+        !memo.goesTooDeep(depth, dialect.facts->limits.macroDepth) &&
+        (memo.run == memos_->run() || mainFile_ >= memo.effect.files.size() ||
+         !memo.effect.files.test(mainFile_)))
+      return &memo;
+  return nullptr;
 }
 
 /// What the body did for the same state before.
-std::optional<Exits> CalledBodies::recall(const Region &region, Remembered &body, uint64_t print,
+std::optional<Exits> CalledBodies::recall(const Region &region, Remembered &body, uint64_t sum,
                                           unsigned sections, const Live &live) {
   run_.repeated += workOfRecall;
-  for (const Memo &memo : body.memos) {
-    if (memo.hash != print || sections > memo.sections || !equal(memo.entry, live.state))
-      continue;
-    body.inVain = 0;
-    Exits exits = memo.exits;
-    run_.stops += memo.effect.stops;
-    run_.forks += memo.effect.forks;
-    stateUse |= memo.effect.use;
-    for (size_t i = 0; i < exits.size(); ++i) {
-      exits[i].live.path = live.path;
-      MachineState &left = exits[i].live.state;
-      keepOrigins(memo.effect.use, live.state, left);
-      if (!calls_)
-        continue;
-      if (!memo.effect.use.has(StatePart::CutArea)) {
-        left.cutArea = live.state->cutArea;
-        left.cutArea.add(memo.effect.added[i].cut);
-      }
-      const Interval level = left.fedFrom.peek();
-      left.fedFrom = live.state->fedFrom;
-      left.fedFrom.add(memo.effect.added[i].depth);
-      left.fedFrom.peek() = level;
-    }
-    if (calls_ && memo.effect.texts && hasRoom(body))
-      calls_->noteRecalled(bodyRunOf(region, print), *memo.effect.texts);
-    else if (calls_)
-      calls_->spoil();
-    return exits;
+  const Memo *const memo = find(region, body, sum, sections, live);
+  if (!memo)
+    return std::nullopt;
+  body.inVain = 0;
+  Exits exits = memo->exits;
+  const Effect &effect = memo->effect;
+  run_.stops += effect.stops;
+  run_.forks += effect.forks;
+  run_.deepest = std::max(run_.deepest, region.depth() + effect.levels);
+  run_.restsOnOthers |= memo->run != memos_->run();
+  stateUse |= effect.use;
+  noteFiles(effect.files);
+  for (size_t i = 0; i < exits.size(); ++i) {
+    exits[i].live.path = live.path;
+    memo->leadOn(live.state, i, exits[i].live.state);
   }
-  return std::nullopt;
+  const unsigned allowed = region.unit.dialect->limits.callDepth;
+  const bool tells = allowed && region.depth() + effect.levels > allowed;
+  if (calls_ && effect.texts && !tells && body.hasRoom())
+    calls_->noteRecalled(bodyRunOf(region, memo->print), *effect.texts);
+  else if (calls_)
+    calls_->spoil();
+  return exits;
 }
 
-bool CalledBodies::hasRoom(const Remembered &body) {
-  return body.memos.size() + body.known < memosPerProgram;
+void CalledBodies::noteFiles(const llvm::BitVector &more) {
+  if (isShared())
+    files_ |= more;
 }
 
 bool CalledBodies::isWorthLooking(Remembered &body) {
-  return hasRoom(body) || ++body.inVain <= mostInVain || body.inVain % lookedAtThen == 0;
+  return body.hasRoom() || ++body.inVain <= mostInVain || body.inVain % lookedAtThen == 0;
 }
 
 /// Paths that return to the same place in the same modes are one, and go on along `path`.
@@ -108,7 +121,7 @@ bool CalledBodies::mayTakeOver(const KnownCall &call) {
                        }) &&
          llvm::all_of(call.inner,
                       [&](const BodyRun &inner) {
-                        return hasRoom(remembered_[keyOfInner(inner)]) &&
+                        return memos().of(keyOfInner(inner)).hasRoom() &&
                                !ran_.count(inner.print());
                       }) &&
          llvm::all_of(call.recalled, [&](const BodyRun &body) { return ran_.count(body.print()); });
@@ -116,7 +129,7 @@ bool CalledBodies::mayTakeOver(const KnownCall &call) {
 
 void CalledBodies::noteRun(const KnownCall &call) {
   for (const BodyRun &inner : call.inner) {
-    ++remembered_[keyOfInner(inner)].known;
+    ++memos().of(keyOfInner(inner)).known;
     ran_.insert(inner.print());
     known_.insert(inner.print());
   }
@@ -129,8 +142,8 @@ Exits CalledBodies::runAnew(const Region &region, Live live, Effect &effect) {
   const PathNode *path = live.path;
   MachineState &state = live.state;
   const StateUse usedBefore = std::exchange(stateUse, StateUse());
-  const CutArea::Box cutBefore = calls_ ? state.cutArea.takeAdded() : CutArea::none;
-  const DepthMoves depthBefore = calls_ ? state.fedFrom.takeMoves() : DepthMoves();
+  const CutArea::Box cutBefore = state.cutArea.takeAdded();
+  const DepthMoves depthBefore = state.fedFrom.takeMoves();
   const std::optional<size_t> texts =
       calls_ && calls_->isRecording() ? std::optional(calls_->startTexts()) : std::nullopt;
   Lives lives;
@@ -141,9 +154,9 @@ Exits CalledBodies::runAnew(const Region &region, Live live, Effect &effect) {
   stateUse |= effect.use;
   if (texts)
     effect.texts = calls_->textsSince(*texts);
-  for (size_t i = 0; calls_ && i < exits.size(); ++i) {
-    MachineState &left = exits[i].live.state;
-    const Added added{left.cutArea.takeAdded(), left.fedFrom.takeMoves()};
+  for (Returned &exit : exits) {
+    MachineState &left = exit.live.state;
+    const BodyMemos::Added added{left.cutArea.takeAdded(), left.fedFrom.takeMoves()};
     left.cutArea.add(added.cut);
     if (!effect.use.has(StatePart::CutArea))
       left.cutArea.add(cutBefore);
@@ -181,7 +194,7 @@ Exits CalledBodies::runOrTakeOver(const Region &region, Live live, const BodyRun
                                   bool isRemembered, Effect &effect) {
   const uint64_t print = body.print();
   if (isRemembered && known_.erase(print)) {
-    --remembered_[keyOf(region)].known;
+    --memos().of(region).known;
     Exits exits = runMuted(region, std::move(live), effect);
     calls_->noteRecalled(body, {});
     return exits;
@@ -213,27 +226,41 @@ Exits CalledBodies::runOrTakeOver(const Region &region, Live live, const BodyRun
 }
 
 Exits CalledBodies::run(const Region &region, Live live) {
-  Remembered &body = remembered_[keyOf(region)];
+  Remembered &body = memos().of(region);
+  body.makeRoom(memos_->run());
   const bool looks = !run_.listeners.followOnePath() && isWorthLooking(body);
-  const uint64_t print = looks ? hash(live.state) : 0;
+  const uint64_t sum = looks ? hashButCut(live.state) : 0;
   // Deeper inside repeated sections than before, one more level may be one too many.
   const unsigned sections = region.kind == RegionKind::Section ? runningSections() : 0;
   if (looks)
-    if (auto known = recall(region, body, print, sections, live))
+    if (auto known = recall(region, body, sum, sections, live))
       return std::move(*known);
-  const bool isRemembered = looks && hasRoom(body);
+  const bool isRemembered = looks && body.hasRoom();
+  const uint64_t print = looks && calls_ ? hash(live.state) : 0;
   std::optional<MachineState> entry;
   if (isRemembered)
     entry = live.state;
   Effect effect;
   const unsigned stops = run_.stops, forks = run_.forks;
+  const unsigned deepest = std::exchange(run_.deepest, region.depth());
+  llvm::BitVector files = std::exchange(files_, llvm::BitVector());
   Exits exits = calls_ ? runOrTakeOver(region, std::move(live), bodyRunOf(region, print),
                                        isRemembered, effect)
                        : runAnew(region, std::move(live), effect);
-  if (isRemembered && !run_.stopped && hasRoom(body)) {
+  effect.levels = run_.deepest - region.depth();
+  run_.deepest = std::max(run_.deepest, deepest);
+  if (isShared()) {
+    const unsigned file = memos_->numberOf(region.unit.source.path());
+    files_.resize(std::max(files_.size(), file + 1));
+    files_.set(file);
+    effect.files = files_;
+    files_ |= files;
+  }
+  if (isRemembered && !run_.stopped && !(isShared() && run_.abstract)) {
     effect.stops = run_.stops != stops;
     effect.forks = run_.forks != forks;
-    body.memos.push_back({print, std::move(*entry), exits, sections, std::move(effect)});
+    body.add({sum, print, std::move(*entry), exits, sections, region.depth(), memos_->run(),
+              std::move(effect)});
   }
   return exits;
 }

@@ -1,9 +1,8 @@
 // Runs called bodies, and remembers what each did for which state.
 #pragma once
 
+#include "analyzer/flow/body_memos.h"
 #include "analyzer/flow/call_recorder.h"
-
-#include <deque>
 
 namespace ncvet {
 
@@ -25,35 +24,14 @@ public:
   bool isDeep() const { return run_.callStack.size() >= run_.limits.callDepth; }
 
 private:
-  /// What a body adds to what only grows.
-  struct Added {
-    CutArea::Box cut = CutArea::none;
-    DepthMoves depth;
-  };
-  /// What is known of a run of a body besides its exits.
-  struct Effect {
-    bool stops = false; ///< the program stops in it until the operator goes on
-    bool forks = false; ///< something unknown decides in it
-    StateUse use;
-    llvm::SmallVector<Added, 1> added;                 ///< by exit, where calls are reused
-    std::optional<std::vector<KnownCall::Text>> texts; ///< that were looked at; none: not known
-  };
-  struct Memo {
-    uint64_t hash;
-    MachineState entry;
-    Exits exits;
-    unsigned sections; ///< repeated sections round it
-    Effect effect;
-  };
-  /// What is remembered of one body.
-  struct Remembered {
-    std::deque<Memo> memos;
-    unsigned known = 0;  ///< more of them in calls that were taken over
-    unsigned inVain = 0; ///< runs since one of them was of use
-  };
-  static bool hasRoom(const Remembered &body);
+  using Memo = BodyMemos::Memo;
+  using Effect = BodyMemos::Effect;
+  using Remembered = BodyMemos::Remembered;
+  BodyMemos &memos();
   static bool isWorthLooking(Remembered &body);
-  std::optional<Exits> recall(const Region &region, Remembered &body, uint64_t print,
+  const Memo *find(const Region &region, const Remembered &body, uint64_t sum, unsigned sections,
+                   const Live &live) const;
+  std::optional<Exits> recall(const Region &region, Remembered &body, uint64_t sum,
                               unsigned sections, const Live &live);
   static Exits merge(Exits raw, const PathNode *path);
   Exits runAnew(const Region &region, Live live, Effect &effect);
@@ -63,13 +41,18 @@ private:
   RunningRegion keyOfInner(const BodyRun &body) const;
   bool mayTakeOver(const KnownCall &call);
   void noteRun(const KnownCall &call);
+  void noteFiles(const llvm::BitVector &more);
+  bool isShared() const { return memos_ != &own_; }
 
   FlowRun &run_;
   CallRecorder *calls_ = nullptr;
   llvm::DenseSet<uint64_t> ran_;   ///< bodies that have run, by `BodyRun::print`
   llvm::DenseSet<uint64_t> known_; ///< those of calls that were taken over: not what they did
   bool muted_ = false;             ///< what runs has been told of already
-  std::map<RunningRegion, Remembered> remembered_;
+  BodyMemos own_;
+  BodyMemos *memos_ = nullptr; ///< null: nothing has been called yet
+  llvm::BitVector files_;      ///< that run in the body, where runs share memos
+  unsigned mainFile_ = 0;      ///< number of the file that is run, among them
 };
 
 } // namespace ncvet

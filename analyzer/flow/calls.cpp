@@ -86,10 +86,22 @@ void Calls::goOnUnknown(Step &step, const FollowedCall *known) {
   step.goOn();
 }
 
+/// Of a program of which no caller is known: whether its call never ends is known beforehand, and
+/// need not be found out by following it.
+void Calls::tellCircle(const Step &step, const Callee &callee) {
+  const CallSite *const caller = step.region().caller;
+  if (run_.outer && run_.entryUnknown && !run_.postponed && !(caller && caller->unit) &&
+      callee.unit != &run_.unit && run_.outer->isInCircle(callee.unit->source.path()) &&
+      !run_.shape(*callee.unit, *callee.program).branches)
+    run_.issue(FlowIssue::Recursion, step, step.flowRange(),
+               {callee.unit->source.id(), callee.start, callee.start + 1});
+}
+
 /// Whether a call is followed into its program.
 bool Calls::mayEnter(const Step &step, const Callee &callee) {
   const Region &region = step.region();
   const SourceRange where = step.flowRange();
+  run_.deepest = std::max(run_.deepest, region.depth() + 1);
   if (recurs(region, callee)) {
     // Without a condition nothing ends it; with one it is followed until the control's levels end.
     const bool conditional = run_.shape(*callee.unit, *callee.program).branches;
@@ -118,6 +130,8 @@ void Calls::call(Step &step) {
   MachineState &state = step.live.state;
   const std::optional<Callee> callee = callees_.find(step);
   const FollowedCall *const left = callee ? run_.leftToCallers(step, *callee->unit) : nullptr;
+  if (callee)
+    tellCircle(step, *callee);
   if (left)
     return goOnUnknown(step, left);
   if (!callee || !mayEnter(step, *callee))

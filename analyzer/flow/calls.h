@@ -22,6 +22,7 @@ public:
 private:
   bool recurs(const Region &region, const Callee &callee) const;
   bool mayEnter(const Step &step, const Callee &callee);
+  void tellCircle(const Step &step, const Callee &callee);
   void goOnUnknown(Step &step, const FollowedCall *known = nullptr);
   void enter(Step &step, const Callee &callee, const Passes &passes);
 

@@ -58,6 +58,8 @@ public:
   bool isComplete() const { return complete; }
   const std::vector<std::string> &cutsMade() const { return cuts; }
   bool hasAskedOuter() const { return asksOuter; }
+  bool hasRestedOnOthers() const { return restsOnOthers; }
+  uint64_t workSpent() const { return repeated; }
   /// See `AnalysisResult`.
   FollowedCallsOfFiles followedCalls() const;
 

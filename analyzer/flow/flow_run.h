@@ -133,6 +133,7 @@ struct FlowRun {
   uint64_t knownBlocks = 0; ///< kinds of blocks of which it is known what they do
   unsigned stops = 0;       ///< programmed stops so far: at each one the operator decides
   unsigned forks = 0;       ///< times that a path went on in more than one direction
+  unsigned deepest = 0;     ///< level of the deepest call in the program that is run
   uint64_t repeated = 0;    ///< blocks executed again, by what they cost
   uint64_t blocks = 0;      ///< blocks with content of the file's main programs
   bool abstract = false;    ///< the budget is spent: loops are no longer run for real
@@ -140,8 +141,8 @@ struct FlowRun {
   bool callerUnknown = false;        ///< subprograms that nothing in the file calls are being run
   bool entryUnknown = false;         ///< a program whose caller is not known is being run
   const OuterCalls *outer = nullptr; ///< null: all calls are followed
-  std::map<FileId, std::map<uint32_t, uint64_t>> followed; ///< see `AnalysisResult`
-  bool asksOuter = false, postponed = false;               ///< the same
+  std::map<FileId, std::map<uint32_t, uint64_t>> followed;          ///< see `AnalysisResult`
+  bool asksOuter = false, postponed = false, restsOnOthers = false; ///< the same
   bool stopped = false;
   bool stale = false; ///< what was known of an earlier analysis must not be reused: once more
   bool opaque =

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace ncvet {
+
+class BodyMemos; // analyzer/flow/body_memos.h
 
 /// A block whose call was followed, and came back.
 struct FollowedCall {
@@ -26,12 +30,21 @@ using FollowedCallsOfFiles = std::vector<std::pair<std::string, std::vector<Foll
 struct OuterCalls {
   bool postpones = false;               ///< the check ends at the first of them, and is made later
   std::vector<FollowedCall> followed{}; ///< of the file, in order: they need not be followed again
+  /// Paths, in order, of files without conditions that call one another in circles, this file among
+  /// them: a call of one of them never ends. Null: there are none.
+  std::shared_ptr<const std::vector<std::string>> circle{};
+  /// What earlier checks have found out of called programs; null: nothing is shared.
+  std::shared_ptr<BodyMemos> bodies{};
+  std::optional<uint64_t> work{}; ///< the most that the check may do; none: as much as any
 
   const FollowedCall *find(uint32_t block) const {
     const auto at = std::lower_bound(
         followed.begin(), followed.end(), block,
         [](const FollowedCall &call, uint32_t begin) { return call.block < begin; });
     return at != followed.end() && at->block == block ? &*at : nullptr;
+  }
+  bool isInCircle(const std::string &path) const {
+    return circle && std::binary_search(circle->begin(), circle->end(), path);
   }
 };
 

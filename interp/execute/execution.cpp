@@ -210,12 +210,14 @@ std::optional<PlainMove> Execution::asPlainMove() const {
 }
 
 /// Under compensation: counts the blocks without a move in the plane; false when there is nothing
-/// to count.
+/// to count. Where compensation is only perhaps in force it is enough that there was one: else a
+/// program would be another for each number of calls that lead to it.
 bool Execution::countIdle(uint16_t axes) {
   const bool moved = axes & planeAxes(dialect_, state_);
-  if (moved && !state_.idleBlocks)
+  const int most = state_.compensation == phaseOn ? 255 : 1;
+  if (state_.idleBlocks == (moved ? 0 : most))
     return false;
-  state_.idleBlocks = moved ? 0 : uint8_t(std::min(255, state_.idleBlocks + 1));
+  state_.idleBlocks = moved ? 0 : uint8_t(std::min(most, state_.idleBlocks + 1));
   outcome_.setupChanged = true;
   return true;
 }

@@ -2,6 +2,7 @@
 #include "interp/state/state.h"
 
 #include "formats/dialect/control_facts.h"
+#include "interp/state/equal_but_cut.h"
 
 #include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/bit.h"
@@ -100,7 +101,7 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   return r;
 }
 
-/// A canonical sequence of numbers that says all that `equal` and `hash` look at.
+/// A canonical sequence of numbers that says all that `equalButCut` and `hashButCut` look at.
 template <typename Sink>
 void visitParts(const KnownState &s, Sink sink) {
   const auto interval = [&](const Interval &i) {
@@ -118,8 +119,6 @@ void visitParts(const KnownState &s, Sink sink) {
   sink(s.factsMust);
   interval(s.feed.peek());
   interval(s.fedFrom.peek());
-  for (const Interval &i : s.cutArea.all())
-    interval(i);
   sink(uint64_t(uint32_t(s.tool.peek())) << 32 | uint32_t(s.toolOffset.peek()));
   sink(uint64_t(uint32_t(s.preselected.peek())) << 32 | uint32_t(s.lengthOffset.peek()));
   sink(uint64_t(uint32_t(s.radiusOffset.peek())));
@@ -277,6 +276,10 @@ MachineState unknownState(const Dialect &dialect) {
 }
 
 bool equal(const KnownState &a, const KnownState &b) {
+  return equalButCut(a, b) && a.cutArea.all() == b.cutArea.all();
+}
+
+bool equalButCut(const KnownState &a, const KnownState &b) {
   // Most states that meet differ in what they have done or where they are.
   if (a.factsMay != b.factsMay || a.factsMust != b.factsMust || a.groups != b.groups ||
       std::memcmp(a.position.data(), b.position.data(), sizeof a.position) != 0)
@@ -293,6 +296,13 @@ bool equal(const KnownState &a, const KnownState &b) {
 }
 
 uint64_t hash(const MachineState &state) {
+  uint64_t sum = hashButCut(state);
+  for (const Interval &i : state.cutArea.all())
+    sum = llvm::hash_combine(sum, llvm::bit_cast<uint64_t>(i.lo), llvm::bit_cast<uint64_t>(i.hi));
+  return sum;
+}
+
+uint64_t hashButCut(const MachineState &state) {
   llvm::SmallVector<uint64_t, 192> parts;
   visitParts(state, [&](uint64_t v) { parts.push_back(v); });
   parts.push_back(state.locals.hash());

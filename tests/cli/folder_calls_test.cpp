@@ -53,8 +53,39 @@ TEST_F(FolderCallsTest, ProgramsThatCallEachOtherInACircleAreFound) {
     shop.file(nameOf(i), calling(i, i == last ? first : i + 1, 1, last, false));
   const std::string found = check({"--no-cache"});
   EXPECT_EQ(programs, count(found, "\"rule\":\"feed-not-positive\""));
+  EXPECT_EQ(programs, count(found, "\"rule\":\"flow-recursion\""));
   EXPECT_THAT(found, HasSubstr("\"rule\":\"flow-nesting-too-deep\""));
   EXPECT_EQ(found, check({"--no-cache", "-j", "1"}));
+}
+
+/// What one of them has followed from some state, the others need not follow from there.
+TEST_F(FolderCallsTest, ManyProgramsThatCallOthersAreFollowedToTheirEnd) {
+  constexpr unsigned programs = 150, calls = 8, first = 1000;
+  for (unsigned i = 0; i < programs; ++i) {
+    std::string text = "O" + std::to_string(first + i) + "\nG90 G21\nG1 X" +
+                       std::to_string(i * 7 % 50) + ". Y" + std::to_string(i * 11 % 50) + ". F0\n";
+    for (unsigned call = 0; call < calls && i + 1 < programs; ++call)
+      text += "M98 P" +
+              std::to_string(first + 1 + i + (i * 31 + call * call * 17) % (programs - i - 1)) +
+              "\n";
+    shop.file(nameOf(first + i), text + "M99\n");
+  }
+  const std::string alone = check({"--no-cache", "-j", "1"});
+  EXPECT_EQ(programs, count(alone, "\"rule\":\"feed-not-positive\""));
+  EXPECT_THAT(alone, Not(HasSubstr("\"complete\":false")));
+  EXPECT_EQ(alone, check({"--no-cache", "-j", "4"}));
+  EXPECT_EQ(alone, check({}));
+  EXPECT_EQ(alone, check({})) << "what is known is the same";
+}
+
+/// Where something decides whether a program of the circle calls the next one, the calls may end.
+TEST_F(FolderCallsTest, ProgramsThatMayCallEachOtherInACircleAreNone) {
+  constexpr unsigned programs = 60, first = 1000, last = first + programs - 1;
+  for (unsigned i = first; i <= last; ++i)
+    shop.file(nameOf(i), "O" + std::to_string(i) + "\nG1 X1. F100.\n" +
+                             (i == first + 50 ? "IF[#500GT0]GOTO9\n" : "") + "M98 P" +
+                             std::to_string(i == last ? first : i + 1) + "\nN9 M99\n");
+  EXPECT_THAT(check({"--no-cache"}), Not(HasSubstr("flow-recursion")));
 }
 
 TEST_F(FolderCallsTest, ASubprogramThatNobodyHereCallsIsFollowedIntoWhatItCalls) {

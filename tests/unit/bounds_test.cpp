@@ -136,6 +136,22 @@ TEST(Bounds, AProgramOfManyGroovesIsFollowedToItsEnd) {
   EXPECT_LT(secondsToCheck("fanuc-lathe", text(repeat(turned + groove + "M00\n", many))), generous);
 }
 
+/// They are entered with other places where the tool has cut each time, at which none of them
+/// looks.
+TEST(Bounds, ManyProgramsThatCallOthersAreFollowedToTheirEnd) {
+  constexpr unsigned many = 300, calls = 10;
+  std::string text;
+  for (unsigned i = 0; i < many; ++i) {
+    text += "O" + std::to_string(1000 + i) + "\nG90 G21\nG1 X" + std::to_string(i * 7 % 50) +
+            ". Y" + std::to_string(i * 11 % 50) + ". F200.\n";
+    for (unsigned call = 0; call < calls && i + 1 < many; ++call)
+      text += "M98 P" +
+              std::to_string(1001 + i + (i * 31 + call * call * 17 + call) % (many - i - 1)) + "\n";
+    text += "M99\n";
+  }
+  EXPECT_LT(secondsOf([&] { EXPECT_TRUE(check("fanuc-mill", text).complete); }), generous);
+}
+
 TEST(Bounds, AFileOfManyMacrosIsFollowedToItsEnd) {
   constexpr unsigned many = 2'000;
   std::string calls, macros;
