@@ -179,6 +179,28 @@ void selectOptions(Json &merged, llvm::ArrayRef<Json> choices, const Json &profi
     }
 }
 
+/// Whether the profile changes no more of the table than values of options: then the table need not
+/// be made anew of its layers.
+bool leavesTable(const Dialect &dialect, const Json &profile) {
+  if (!profile.is_object() || profile.contains("codes"))
+    return false;
+  const auto options = profile.find("options");
+  if (options == profile.end())
+    return true;
+  if (!options->is_object() || options->contains("control"))
+    return false;
+  return llvm::none_of(dialect.layers, [&](const TableLayer &layer) {
+    const auto choices = findJsonMember(layer.text, "byOption");
+    if (!choices)
+      return false;
+    const Json value = Json::parse(choices->begin(), choices->end(), nullptr, false);
+    if (!value.is_object())
+      return true; // the long way tells what is wrong with it
+    return llvm::any_of(options->items(),
+                        [&](const auto &given) { return value.contains(given.key()); });
+  });
+}
+
 /// The block that the control runs before every program says which modes are in force.
 void startState(Dialect &dialect, JsonReader &reader, const Json &block) {
   llvm::SmallVector<llvm::StringRef, 8> words;
@@ -249,6 +271,12 @@ llvm::Expected<std::shared_ptr<const Dialect>> overlay(std::shared_ptr<const Dia
   llvm::Expected<Json> profile = parseJson(name, text);
   if (!profile)
     return profile.takeError();
+  if (leavesTable(*dialect, *profile)) {
+    auto same = std::make_shared<Dialect>(*dialect);
+    if (llvm::Error error = layOptions(*same, *profile, {name.str(), text}))
+      return error;
+    return std::shared_ptr<const Dialect>(std::move(same));
+  }
   std::vector<JsonLayer> files;
   std::vector<Json> values, controls, choices;
   for (const TableLayer &layer : dialect->layers) {

@@ -55,6 +55,33 @@ TEST(PackedTables, AMachineProfileIsLaidOverAPackedTableAsOverAnother) {
   }
 }
 
+/// A profile without codes is laid over the table as it is; with them the table is made anew.
+TEST(PackedTables, AMachineProfileThatLeavesTheTableIsLaidOverItAsOverItsLayers) {
+  for (const DialectSummary &summary : listDialects()) {
+    if (summary.abstract)
+      continue;
+    const auto table = loaded(loadShipped(summary.id));
+    const std::string first =
+        table->options.empty() ? "no" : table->options.begin()->getKey().str();
+    const std::string options[] = {"",
+                                   R"("nobody": 1)",
+                                   R"("mCodesPerBlock": 2)",
+                                   R"("courseProfile": true)",
+                                   R"("toolChangeByM6": false)",
+                                   "\"" + first + "\": true"};
+    for (const std::string &given : options) {
+      const std::string own = R"("options": {)" + given + "}";
+      auto expected = overlay(table, "machine.json", "{" + own + R"(, "codes": {}})");
+      auto laid = overlay(table, "machine.json", "{" + own + "}");
+      ASSERT_EQ(bool(expected), bool(laid)) << summary.id << " " << given;
+      if (expected && laid)
+        EXPECT_TRUE(pack(**expected) == pack(**laid)) << summary.id << " " << given;
+      else
+        EXPECT_EQ(llvm::toString(expected.takeError()), llvm::toString(laid.takeError()));
+    }
+  }
+}
+
 TEST(PackedTables, AnUnknownControlIsAnErrorAsEver) {
   for (const char *id : {"", "nobody", "iso"}) {
     auto read = loadDialect(id, builtinDialects());
