@@ -6,6 +6,7 @@
 #include "formats/dialect/stored_names.h"
 #include "interp/evaluate/expression.h"
 
+#include <bit>
 #include <cmath>
 
 namespace ncvet {
@@ -145,14 +146,12 @@ std::optional<double> kept(const MachineState &state, const CodeInfo &code, Role
         return std::nullopt;
       return words.value[place];
     }
-  const AddressMask mask = addressesOf(code, role);
-  for (char letter = 'A'; letter <= 'Z'; ++letter)
-    if ((mask & maskOf(letter)) && words.has(letter)) {
-      if (std::isnan(words.get(letter)))
-        return std::nullopt;
-      return words.get(letter);
-    }
-  return std::nullopt;
+  static_assert(letterAddress('A') == 0, "the letters are the lowest bits of masks");
+  const auto given = uint32_t(addressesOf(code, role) & words.present);
+  if (!given)
+    return std::nullopt;
+  const double value = words.value[size_t(std::countr_zero(given))];
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 std::optional<double> valueOf(const RuleContext &ctx, const CodeInfo &code, Role role) {

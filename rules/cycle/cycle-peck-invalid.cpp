@@ -65,13 +65,17 @@ private:
   static void checkDepth(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     constexpr double least = 5;  // mm: a spot is drilled in one stroke
     constexpr double much = 1.2; // of the hole
+    if ((code.cycle != CycleKind::Peck && code.cycle != CycleKind::ChipBreak) ||
+        ctx.dialect().isLathe())
+      return;
     const Word *const word = wordOf(ctx.block(), code, Role::Peck);
+    if (!word || !word->has(wordPoint))
+      return;
     const auto peck = valueOf(ctx, code, Role::Peck);
     const auto from = kept(ctx.after(), code, Role::Retract);
     const auto to = kept(ctx.after(), code, Role::Depth);
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
-    if ((code.cycle != CycleKind::Peck && code.cycle != CycleKind::ChipBreak) || !word ||
-        !word->has(wordPoint) || !peck || !from || !to || !unit || ctx.dialect().isLathe() ||
+    if (!peck || !from || !to || !unit ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) !=
             Truth::Yes)
       return;
