@@ -221,6 +221,17 @@ TEST(Detection, TheNameOfAMachineInACommentMakesTheGuessUnsure) {
   }
 }
 
+TEST(Detection, ACommentThatNamesACycleOrALatheMakesNoMillSure) {
+  EXPECT_FALSE(detector()
+                   .detect("a.nc", "O0107 (FANUC G71 TYPE I example)\nG28\nT101\nG50 S2000\n"
+                                   "G71 P10 Q20 U0.01 W0.005 D0.15 F0.012\nM30\n")
+                   .dialect == "fanuc-mill");
+  EXPECT_FALSE(detector()
+                   .detect("a.nc", "O8004 (5-AXIS MILLING ON LATHE)\nT0505 M06\nG43.4 H05\n"
+                                   "G01 X1.2 Y0.1 Z-0.3 B45. F200.\nM30\n")
+                   .sure);
+}
+
 TEST(Detection, WhatIsLeftOutOfAGuessIsNamedRight) {
   const UnsureReports &unsure = detector().unsure();
   EXPECT_EQ(Severity::Warning, unsure.highest);
