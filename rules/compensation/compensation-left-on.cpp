@@ -18,6 +18,7 @@ struct CompensationLeftOnMemory {
   /// Last block of a profile (file, offset) → offset of its first, number of its last.
   std::map<std::pair<FileId, uint32_t>, std::pair<uint32_t, int64_t>> profiles;
   bool retracted = false; ///< the tool was lifted at rapid while compensation was on
+  Origin told;            ///< where the compensation began that was reported last
 };
 
 class CompensationLeftOn final : public StatefulRule<CompensationLeftOnMemory> {
@@ -30,6 +31,8 @@ public:
     refusesChange_ = to.flag("refusesChange", true);
     if (to.dialect().facts->compensation.offAtStops)
       to.onAction({Action::ProgramStop, Action::OptionalStop});
+    if (to.flag("atReference"))
+      to.onAction({Action::ReferenceReturn});
     if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
     if (to.dialect().facts->tools.cuttingEdges)
@@ -54,6 +57,8 @@ public:
       if (ctx.code(event).action == Action::ProgramStop ||
           ctx.code(event).action == Action::OptionalStop)
         leftOn(event, "the program stops", Severity::Warning, ctx);
+      else if (ctx.code(event).action == Action::ReferenceReturn)
+        leftOn(event, "the tool goes home", Severity::Warning, ctx);
       else
         onceMore(event, ctx);
       return;
@@ -176,12 +181,15 @@ private:
     return isIn(ctx, ctx.after().origin.of(StatePart::Compensation), program);
   }
 
-  static void leftOn(const Event &event, const char *when, std::optional<Severity> severity,
-                     RuleContext &ctx) {
+  /// Once for each compensation that begins: what comes after is of the same cause.
+  void leftOn(const Event &event, const char *when, std::optional<Severity> severity,
+              RuleContext &ctx) const {
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known() ||
+    const Origin &begin = ctx.after().origin.of(StatePart::Compensation);
+    if (active == Truth::No || !begin.known() || begin == memory().told ||
         outlivesTool(ctx.before()))
       return;
+    memory().told = begin;
     if (auto finding = ctx.report(event, active == Truth::Yes && event.certain)) {
       finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);
       describe(finding, ctx);
