@@ -30,6 +30,10 @@ std::string withoutNumbers(llvm::StringRef message) {
 
 void fold(const std::vector<Finding *> &group, RepeatedFindings repeated) {
   Finding &first = *group.front();
+  const bool differs =
+      repeated == RepeatedFindings::Alike && llvm::any_of(group, [&](const Finding *further) {
+        return further->message != first.message;
+      });
   for (Finding *further : llvm::makeArrayRef(group).drop_front()) {
     if (first.notes.size() < mostNotes)
       first.notes.push_back({further->range, "here too"});
@@ -38,8 +42,12 @@ void fold(const std::vector<Finding *> &group, RepeatedFindings repeated) {
     further->message.clear(); // taken out by the caller
   }
   const size_t others = group.size() - 1;
-  first.message +=
-      others == 1 ? "; once more in this file" : formatted("; {0} more times in this file", others);
+  if (differs)
+    first.message += others == 1 ? "; one more like it in this file"
+                                 : formatted("; {0} more like it in this file", others);
+  else
+    first.message += others == 1 ? "; once more in this file"
+                                 : formatted("; {0} more times in this file", others);
   if (repeated == RepeatedFindings::Many)
     first.message += ": the whole text is made so";
 }

@@ -37,11 +37,27 @@ public:
 private:
   using Place = std::map<TextPlace, SourceRange>::const_iterator;
 
+  /// The program is in a folder or a file whose name says that codes are remapped there: the
+  /// machine's INI file has them.
+  static bool isAmongRemaps(llvm::StringRef path) {
+    constexpr unsigned near = 4; // the file and the folders above it
+    for (unsigned up = 0; up < near && !path.empty(); ++up) {
+      const auto [above, name] = path.rsplit('/');
+      const bool last = above.size() == path.size();
+      if ((last ? path : name).contains_insensitive("remap"))
+        return true;
+      path = last ? llvm::StringRef() : above;
+    }
+    return false;
+  }
+
   static void reportFile(Place first, Place end, RuleContext &ctx, llvm::StringRef known) {
     const auto others = size_t(std::distance(first, end)) - 1;
     auto finding = ctx.report(first->second);
     if (!finding)
       return;
+    if (isAmongRemaps(ctx.unitOf(first->first.file).source.display()))
+      finding.severity(Severity::Style);
     if (others == 0)
       finding.message("`{0}` is neither {1}: what it does is not known", ctx.text(first->second),
                       known);

@@ -20,15 +20,32 @@ void noteWay(const Block &block, double z, const Dialect &dialect, PlacesAlong &
     ++places.below[z].fed;
 }
 
+/// Whether the block has a code by which the tool may be fed, or one that is not known.
+bool mayFeed(const Block &block, const Dialect &dialect) {
+  return llvm::any_of(block.words, [&](const Word &word) {
+    if (word.address != letterAddress('G'))
+      return false;
+    const CodeIndex code = codeOf(dialect, word);
+    if (code == noCode)
+      return true;
+    const Action action = dialect.codes[code].action;
+    return (isMotion(action) && action != Action::Rapid) || action == Action::Cycle ||
+           action == Action::MachineSpecific;
+  });
+}
+
 PlacesAlong placesOf(const ProgramInfo &program, const RuleContext &ctx) {
   const Dialect &dialect = ctx.dialect();
   PlacesAlong places;
   auto &[first, second] = places.lowest;
-  bool told = true;
+  bool told = true, feeds = false;
+  unsigned withFeed = 0;
   for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
     const Word *const z = block.find(letterAddress('Z'));
     places.fedRapids +=
         block.has(letterAddress('F')) && findCode(dialect, block, {Action::Rapid}) != nullptr;
+    feeds |= mayFeed(block, dialect);
+    withFeed += block.has(letterAddress('F')) && axesOf(dialect, block);
     told &=
         block.items.empty() && (!z || z->isNumber()) &&
         !findCode(dialect, block,
@@ -45,6 +62,8 @@ PlacesAlong placesOf(const ProgramInfo &program, const RuleContext &ctx) {
   }
   if (!told)
     places.lowest = {};
+  else if (!feeds)
+    places.neverFed = withFeed;
   return places;
 }
 

@@ -16,6 +16,8 @@ struct PlacesAlong {
   };
   std::map<double, Ways> below;
   unsigned fedRapids = 0; ///< blocks with a code for rapid moves and a feed
+  /// Blocks that move with a feed, where no block has a code for a feed move or leads elsewhere.
+  unsigned neverFed = 0;
 };
 
 /// Those of the programs that a rule asks for, each read once.

@@ -94,14 +94,23 @@ inline bool builderTurnsAll(const RuleContext &ctx) {
   return startsNoSpindle(ctx) && hasBuilderCodes(ctx);
 }
 
+/// Whether the current program, or one that has called it, changes tools more than once: it is for
+/// a machine that cuts.
+inline bool changesTools(const RuleContext &ctx) {
+  unsigned changes = 0;
+  return !noRunningProgramHas(ctx, [&](const Block &block) {
+    changes += findCode(ctx.dialect(), block, {Action::ToolChange}) != nullptr;
+    return changes > 1;
+  });
+}
+
 /// Whether the spindle of such a program may be turned by a code of the builder: it holds one that
-/// the table lacks, or names no speed that a spindle would be missing for.
+/// the table lacks, or names no speed that a spindle would be missing for, and no tools to change.
 inline bool builderMayTurnSpindle(const RuleContext &ctx) {
   if (!startsNoSpindle(ctx))
     return false;
-  return noRunningProgramHas(ctx,
-                             [](const Block &block) { return block.has(letterAddress('S')); }) ||
-         hasBuilderCodes(ctx);
+  const auto namesSpeed = [](const Block &block) { return block.has(letterAddress('S')); };
+  return (noRunningProgramHas(ctx, namesSpeed) && !changesTools(ctx)) || hasBuilderCodes(ctx);
 }
 
 } // namespace ncvet

@@ -33,8 +33,8 @@ bool RegionRun::goOnAgain() {
 bool RegionRun::mayGoOnAgain() const {
   return !run_.inFull && lives_.size() == 1 && !isStraight() && activation_.pending.next() > at_ &&
          at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end &&
-         region_.kind != RegionKind::Profile && !run_.listeners.watchArrivals() &&
-         !lives_[0].state->seeksBranch;
+         !isSubprogram() && region_.kind != RegionKind::Profile &&
+         !run_.listeners.watchArrivals() && !lives_[0].state->seeksBranch;
 }
 
 /// A number for the modes and for the calls that lead here. Brings `before_` in step.

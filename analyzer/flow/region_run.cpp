@@ -96,6 +96,8 @@ bool RegionRun::isAtEnd() {
   if (at_ == region_.stopAt) { // a section ends here, however it was reached
     for (Live &live : lives_)
       activation_.exit(std::move(live));
+  } else if (isSubprogram()) {
+    runIntoSubprogram();
   } else if (at_ >= region_.program.end) {
     runOut();
   } else {
@@ -103,6 +105,21 @@ bool RegionRun::isAtEnd() {
   }
   lives_.clear();
   return true;
+}
+
+/// The end of the program is missing: what the subprogram does for its callers is known, and what
+/// it does here follows from that mistake alone.
+void RegionRun::runIntoSubprogram() {
+  interruptRecord();
+  Block block;
+  unit_.index.read(at_, block);
+  const SourceRange where{unit_.source.id(), block.begin, block.end};
+  run_.visits.begin();
+  for (Live &live : lives_) {
+    run_.visits.visit(live.path);
+    run_.issue(FlowIssue::RunsIntoSubprogram, stepOf(live), live.state, live.state, where);
+  }
+  run_.endStop();
 }
 
 /// The program has no block any more, and has not ended.
@@ -141,6 +158,9 @@ uint32_t RegionRun::straightLimit() const {
   for (const uint32_t mark : {region_.stopAt, region_.lastBlock})
     if (mark >= at_)
       limit = std::min(limit, mark);
+  if (const auto &called = run_.used.localSubprograms; !called.empty())
+    if (const auto next = called.lower_bound(at_); next != called.end())
+      limit = std::min(limit, *next);
   return limit;
 }
 
@@ -407,11 +427,9 @@ void RegionRun::tell(Live &live) {
     run_.listeners.executed(stepOf(live), goesOn_, run_.stopped);
 }
 
-/// Plain flow comes to a numbered block: a local subprogram, or a profile along which a cycle
-/// before it has finished already.
+/// Plain flow comes to a numbered block: a profile along which a cycle before it has finished
+/// already.
 void RegionRun::runsInto(Live &live) {
-  if (run_.used.localSubprograms.count(at_))
-    run_.issue(FlowIssue::RunsIntoSubprogram, stepOf(live), blockRange());
   const auto finished = run_.used.finishedAhead.find(at_);
   if (finished == run_.used.finishedAhead.end())
     return;

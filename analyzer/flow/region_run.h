@@ -52,7 +52,13 @@ private:
   /// Whether the block at `at_` is the only one that follows, for one state.
   bool goesStraight() const {
     return lives_.size() == 1 && synced_ == &*lives_[0].state && activation_.pending.next() > at_ &&
-           at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end;
+           at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end &&
+           !isSubprogram();
+  }
+  /// Whether the main program has come to the first block of a part of it that it has called.
+  bool isSubprogram() const {
+    return !run_.used.localSubprograms.empty() && region_.kind == RegionKind::Main &&
+           &unit_ == &run_.unit && run_.used.localSubprograms.count(at_);
   }
   bool isStraight() const;
   bool readsBySpelling();
@@ -148,6 +154,7 @@ private:
     if (replay_)
       replay_->interrupt();
   }
+  void runIntoSubprogram();
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
   Step stepOf(Live &live) {

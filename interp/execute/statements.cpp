@@ -49,6 +49,9 @@ void Execution::structure(size_t index) {
   }
   if (item.condition != noExpression)
     flow.condition = truthOf(evaluate(block_, item.condition, state_, &outcome_));
+  else if (item.structure == Structure::While || item.structure == Structure::If ||
+           item.structure == Structure::ElseIf || item.structure == Structure::Until)
+    flow.condition = Truth::Unknown; // it cannot be read
   if (item.structure != Structure::For)
     return;
   const Value first = evaluate(block_, item.value, state_, &outcome_);

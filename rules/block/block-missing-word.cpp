@@ -2,6 +2,8 @@
 #include "analyzer/facts/word_checks.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
@@ -9,7 +11,12 @@ bool isMine(const CodeInfo &code, const WordSpec &spec) {
   return topicOf(code, spec) == WordTopic::Block;
 }
 
-class BlockMissingWord final : public Rule {
+struct BlockMissingWordMemory {
+  /// Of codes that do nothing without the word, and no harm: where each was told.
+  std::map<CodeIndex, TextPlace> harmless;
+};
+
+class BlockMissingWord final : public StatefulRule<BlockMissingWordMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
@@ -37,7 +44,8 @@ public:
     // `G65 <NAME>`
     const bool named = ctx.block().nameEnd > ctx.block().nameBegin;
     reportMissingWords(ctx, event, [&](const CodeInfo &code, const WordSpec &spec) {
-      return isMine(code, spec) && !(byName && spec.any & ctx.dialect().axisWords) &&
+      return isMine(code, spec) && (spec.severity != Severity::Style || isFirst(event, ctx)) &&
+             !(byName && spec.any & ctx.dialect().axisWords) &&
              !(named && spec.role == Role::Program);
     });
     if (!named && isByShape(ctx.code(event)))
@@ -46,6 +54,12 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-missing-word"};
+
+  /// The first block of the program with the code for which a remark is due.
+  bool isFirst(const Event &event, const RuleContext &ctx) const {
+    const TextPlace here{ctx.source().id(), ctx.block().begin};
+    return ctx.asked() || memory().harmless.try_emplace(event.code, here).first->second == here;
+  }
 
   /// Whether no number of the block decides what is missing.
   static bool isByShape(const CodeInfo &code) {

@@ -31,7 +31,7 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       setsOneMode_.push_back(setsOneMode(code));
     to.onCode([&](const CodeInfo &code) {
-      return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
+      return sameTwice_ || code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
              code.opposite != noCode || isArc(code.action) || takesBack(to.dialect(), code) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
@@ -110,9 +110,10 @@ private:
                               bool sameTwice) {
     // The same code twice says the same thing; a word that is a code has no number.
     if (a.base == b.base || (a.letter && a.letter == b.letter && a.number == b.number)) // the same
-      return sameTwice ? "`{0}` and `{1}`: the interpreter takes one code of a "
-                         "group, and stops at a second one"
-                       : nullptr;
+      return sameTwice && a.action != Action::CycleCancel
+                 ? "`{0}` and `{1}`: the interpreter takes one code of a "
+                   "group, and stops at a second one"
+                 : nullptr;
     // An oriented stop that is a stop as well: a plain one beside it takes nothing back.
     if ((a.action == Action::SpindleStop && b.stopsSpindle) ||
         (a.stopsSpindle && b.action == Action::SpindleStop))

@@ -1,7 +1,11 @@
 // A code that works only with an option of the machine that the profile does not confirm.
 #include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+
+#include <set>
 
 namespace ncvet {
 namespace {
@@ -15,6 +19,7 @@ class BlockOptionRequired final : public StatefulRule<BlockOptionRequiredMemory>
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
+    needsCode_ = to.flag("changeNeedsCode");
     if (const CodeInfo *change = firstCodeWith(to.dialect(), Action::ToolChange))
       change_ = change->name;
     if (!to.dialect().toolChangeByT && !to.dialect().isLathe() && !change_.empty())
@@ -61,11 +66,35 @@ private:
       return;
     }
     told = lastTool;
-    if (auto finding = ctx.report(lastTool, event.certain))
+    auto finding = ctx.report(lastTool, event.certain);
+    if (!finding)
+      return;
+    if (needsCode_ && changesNone(ctx))
+      finding.severity(Severity::Warning)
+          .message("`{0}` has no `{1}`, nor has any other tool of the program: T alone changes no "
+                   "tool here, and one does the work of all",
+                   ctx.text(lastTool), change_);
+    else
       finding
           .message("`{0}` has no `{1}`: it changes the tool only on a machine that is set up so",
                    ctx.text(lastTool), change_)
           .severity(Severity::Style);
+  }
+
+  /// The program names several tools, and neither changes one nor calls who might.
+  static bool changesNone(const RuleContext &ctx) {
+    std::set<int64_t> tools;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
+      if (!block.items.empty() ||
+          findCode(ctx.dialect(), block,
+                   {Action::ToolChange, Action::CallProgram, Action::CallLocal, Action::MacroCall,
+                    Action::MacroModal}))
+        return false;
+      if (const Word *const tool = block.find(letterAddress('T')); tool && tool->isNumber())
+        tools.insert(int64_t(tool->value()));
+    }
+    return tools.size() > 1;
   }
 
   /// A turret changes by T: on a control for mills and lathes the program's modes say which it is.
@@ -77,6 +106,7 @@ private:
   }
 
   std::string change_;
+  bool needsCode_ = false; ///< no machine with the control changes its tool by T alone
 };
 
 } // namespace

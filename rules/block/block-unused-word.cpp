@@ -54,20 +54,27 @@ public:
     if (!taken)
       return;
     const Dialect &dialect = ctx.dialect();
+    // Of words that are in the block twice another rule names the second one.
+    const AddressMask repeated = ctx.block().repeated & ~dialect.repeatable;
+    AddressMask seen = 0;
     for (const Word &word : ctx.block().words) {
       const AddressMask mask = maskOf(word.address);
+      const bool isAgain = seen & mask & repeated;
+      seen |= mask;
       // Words that limit or position the spindle, and switches, act by themselves.
       const AddressMask alone = dialect.plain | dialect.speedLimitWords | dialect.orientWords |
                                 dialect.switchWords | dialect.elementWords;
-      if ((mask & alone) || !(mask & dialect.known) || (mask & *taken) ||
+      if (isAgain || (mask & alone) || !(mask & dialect.known) || (mask & *taken) ||
           word.address == letterAddress('N') || word.address == letterAddress('O') ||
           isOffsetOfOther(word, ctx) || isVariable(word, ctx) || namesSpindle(word, ctx))
         continue;
-      if (auto finding = ctx.report(word))
-        finding
-            .message("`{0}` is used by no code of the block{1}: the control ignores it or stops",
-                     ctx.text(word), ctx.codes().empty() ? " or in force" : "")
-            .fix(FixSafety::Unsafe, "delete the word", ctx.remove(word));
+      auto finding = ctx.report(word);
+      if (!finding)
+        continue;
+      finding.message("`{0}` is used by no code of the block{1}: the control ignores it or stops",
+                      ctx.text(word), ctx.codes().empty() ? " or in force" : "");
+      if (!(mask & repeated)) // without it the second one would be unused
+        finding.fix(FixSafety::Unsafe, "delete the word", ctx.remove(word));
     }
     sleepInShape(); // addresses and codes alone decide it
   }

@@ -22,6 +22,7 @@ public:
     to.onChange({EventKind::Block});
     to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::Thread});
     allowed_ = unsigned(to.number("allowed", 1));
+    zeroMoves_ = to.flag("zeroMoves", true);
     infeeds_ = to.dialect().facts->compensation.infeedMoves;
     inSpace_ = to.dialect().facts->compensation.onlyInPlane;
     allowedAfterApproach_ = to.dialect().facts->compensation.idleBlocksAfterApproach;
@@ -197,7 +198,8 @@ private:
       if (!from.isConstant() || !(from == to) || (frames && (event.axes >> i & 1)))
         return;
     }
-    if (auto finding = ctx.report(ctx.blockRange(), !ctx.before().may(Fact::UnknownCode)))
+    if (auto finding =
+            ctx.report(ctx.blockRange(), zeroMoves_ && !ctx.before().may(Fact::UnknownCode)))
       finding
           .message("a move of zero length in the plane under {0}: the control sets the tool square "
                    "to the last element and cuts into the next",
@@ -229,6 +231,7 @@ private:
 
   std::optional<Severity> severity_; ///< of blocks that the control perhaps looks past
   unsigned allowed_ = 1;
+  bool zeroMoves_ = true;             ///< the manual says what a move of zero length does
   unsigned infeeds_ = 0;              ///< moves of the infeed axis alone that may follow each other
   bool inSpace_ = false;              ///< moves that leave the plane are reported
   unsigned allowedAfterApproach_ = 0; ///< 0: as elsewhere

@@ -18,7 +18,7 @@ public:
     if (event.code == noCode || ctx.code(event).action == Action::CompensationOff ||
         !ctx.before().must(Fact::PlungedUncompensated))
       return;
-    if (leadsInByArc(ctx) || (onContour_ && isOutside(ctx)))
+    if (startsWithWear(ctx) || leadsInByArc(ctx) || (onContour_ && isOutside(ctx)))
       return;
     const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
     const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();
@@ -31,6 +31,19 @@ public:
 
 private:
   bool onContour_ = false; ///< beside the contour the tool may go down
+
+  /// The way to the contour is shorter than any tool's radius: the path is that of the tool's
+  /// centre, and compensation corrects its wear alone.
+  static bool startsWithWear(const RuleContext &ctx) {
+    constexpr double shortest = 0.5; // mm
+    const MachineState &from = ctx.before(), &to = ctx.after();
+    if (!from.at(Axis::X).isConstant() || !from.at(Axis::Y).isConstant() ||
+        !to.at(Axis::X).isConstant() || !to.at(Axis::Y).isConstant())
+      return false;
+    const Vector way(to.at(Axis::X).value() - from.at(Axis::X).value(),
+                     to.at(Axis::Y).value() - from.at(Axis::Y).value());
+    return way.norm() < shortest;
+  }
 
   /// The move leads to an arc by which the contour is met: out of the middle of a bore, or to a
   /// roll-in that touches the contour's next element. Down beside it nothing is spoilt. Also where

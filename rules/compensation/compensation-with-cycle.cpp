@@ -32,7 +32,7 @@ public:
       return sleepInShape();
     if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known())
       return;
-    if ((cutsThread(code.cycle) && outlivesTool(ctx.after())) ||
+    if (((cutsThread(code.cycle) || !ctx.asked()) && outlivesTool(ctx.after())) ||
         (code.action == Action::Cycle && cycleOutlivesTool(ctx.after())))
       return;
     // Told where the cycle begins, not at each of its holes again.

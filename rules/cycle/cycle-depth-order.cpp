@@ -215,6 +215,8 @@ private:
         event.kind != EventKind::CycleStart)
       return;
     const bool inside = from.value() < levels.depth() - tolerance;
+    if (!inside && !ctx.asked()) // up to R it goes through air, and the hole is right
+      return;
     if (auto finding = ctx.report(levels.word, event.certain && inside))
       finding
           .message("`{0}` begins at {1}, below its {3} ({2}): the tool rises to {3} at rapid first",

@@ -216,7 +216,7 @@ private:
     if (!count)
       return;
     const auto n = valueOf(ctx, code, Role::Repeat);
-    if (!n || *n < 2)
+    if (!n || *n < 2 || ctx.find({Action::Incremental})) // `G91 Y45. G90 R2.`
       return;
     const Dialect &dialect = ctx.dialect();
     const Axis tool = toolAxis(dialect, ctx.after());

@@ -200,6 +200,8 @@ private:
       return;
     if (event.kind == EventKind::Code && endsSeries(ctx.code(event), dialect))
       memory().said = origin;
+    if (event.kind == EventKind::ToolChange && !ctx.asked() && endsNext(ctx))
+      return notCancelled(event, cycle, certain, ctx);
     Memory::Left left;
     left.place = event.word ? ctx.range(*event.word) : ctx.blockRange();
     left.certain = certain;
@@ -229,6 +231,27 @@ private:
            cycle.cycle == CycleKind::ThreadPass;
   }
 
+  /// The next block with coordinates begins a move or a cycle of its own, which ends this one.
+  static bool endsNext(RuleContext &ctx) {
+    return !ctx.dialect().cycleSurvivesMotion && !ctx.dialect().emptyBlocksRun &&
+           nextMoveHasCode(ctx);
+  }
+
+  /// The cycle is on at a tool change, and nothing runs it there.
+  static void notCancelled(const Event &event, const CodeInfo &cycle, bool certain,
+                           RuleContext &ctx) {
+    const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
+    const std::string cancel = cancelOf(ctx.dialect(), cycle);
+    if (auto finding = ctx.report(event, certain))
+      finding.severity(Severity::Style)
+          .message("`{0}` of line {1} is still active at this tool change: the code of the next "
+                   "move ends it, no {2} does",
+                   cycle.name, lineOf(ctx, origin), cancel)
+          .note(origin, cycle.name + " becomes active here")
+          .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
+               ctx.insertBlockBefore(cancel));
+  }
+
   /// The next block with coordinates has a motion code of its own.
   static bool nextMoveHasCode(RuleContext &ctx) {
     constexpr unsigned furthest = 30; // blocks
@@ -237,7 +260,9 @@ private:
     Block next;
     for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
       if (llvm::any_of(codesOf(dialect, next), [&](CodeIndex code) {
-            return isMotion(dialect.codes[code].action) || isPass(dialect.codes[code]);
+            return isMotion(dialect.codes[code].action) || isPass(dialect.codes[code]) ||
+                   makesHole(dialect.codes[code].cycle) ||
+                   dialect.codes[code].action == Action::CycleCancel;
           }))
         return true;
       if (next.hasAny(dialect.axisWords) && !findCode(dialect, next, {Action::ReferenceReturn}))

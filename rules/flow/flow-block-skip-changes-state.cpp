@@ -27,7 +27,7 @@ public:
   void on(const Event &, RuleContext &ctx) const override {
     if (ctx.block().skip < 0)
       return sleepInShape();
-    if (inside_ && skipsRest(ctx))
+    if ((inside_ && skipsRest(ctx)) || choosesCompensation(ctx))
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();
     ModeChanges changes;
@@ -85,6 +85,16 @@ public:
   }
 
 private:
+  /// `/ G41`, and nothing else: the switch is there to run the path with compensation or without.
+  bool choosesCompensation(const RuleContext &ctx) const {
+    return !atCause_ && !ctx.asked() && !ctx.codes().empty() &&
+           ctx.block().words.size() == ctx.codes().size() + ctx.block().has(letterAddress('D')) &&
+           llvm::all_of(ctx.codes(), [&](const CodeUse &use) {
+             const Action action = ctx.code(use).action;
+             return action == Action::CompensationLeft || action == Action::CompensationRight;
+           });
+  }
+
   bool inside_ = false; ///< a skip mark after words skips the rest of its block
 
   /// Blocks of one switch that follow each other are left out together: takes out what one of them

@@ -114,6 +114,8 @@ private:
   /// run no times on purpose.
   void neverRuns(const Item &item, RuleContext &ctx) const {
     const Block &block = ctx.block();
+    if (item.condition >= block.expressions.size())
+      return;
     const Expression &e = block.expressions[item.condition];
     if (e.bad || e.count != 3 || block.skip >= 0)
       return;

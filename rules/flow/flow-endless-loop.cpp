@@ -450,6 +450,8 @@ private:
   /// The variables that decide; empty when something else decides as well.
   static std::set<uint64_t> variablesOf(const Item &item, const Block &block) {
     std::set<uint64_t> read;
+    if (item.condition >= block.expressions.size())
+      return read;
     const Expression &condition = block.expressions[item.condition];
     for (uint32_t i = 0; i < condition.count; ++i) {
       const ExpressionOp &op = block.operations[condition.first + i];

@@ -1,4 +1,5 @@
 // The variable of a counting loop is written inside the loop.
+#include "analyzer/facts/used_up_loops.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -12,6 +13,7 @@ namespace {
 struct FlowLoopCounterMemory {
   bool counts = false;
   bool repeats = false;
+  bool loops = false; ///< there is a WHILE
 };
 
 class FlowLoopCounter final : public StatefulRule<FlowLoopCounterMemory> {
@@ -27,6 +29,8 @@ public:
       sleepAtBlock();
     }
     memory().repeats |= item.kind == ItemKind::Repeat;
+    memory().loops |= item.kind == ItemKind::While ||
+                      (item.kind == ItemKind::Structure && item.structure == Structure::While);
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
@@ -35,6 +39,12 @@ public:
       for (const RepeatedSection &section : repeatedSections(file.index))
         neverChanges(section, file, ctx);
     }
+    if (memory().loops)
+      for (const SourceRange &head : usedUpLoops(file, ctx.dialect()))
+        if (auto finding = ctx.report(head))
+          finding.message("`{0}` runs in the first pass of the loop round it alone: nothing there "
+                          "makes its condition true again",
+                          ctx.text(head));
     if (!memory().counts)
       return;
     struct Loop {

@@ -57,7 +57,19 @@ public:
     unsigned group = 0;
     while (!(relied.groups >> group & 1))
       ++group;
-    if (auto finding = ctx.report(user))
+    const bool distances =
+        GroupIndex(group) == ctx.dialect().group(StandardGroup::Distance) &&
+        after.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) == Truth::Yes;
+    auto finding = ctx.report(user);
+    if (!finding)
+      return;
+    if (distances)
+      finding.severity(Severity::Warning)
+          .message("the coordinates here are distances: the called program has made them so, and "
+                   "not set it back")
+          .note(after.origin.ofGroup(group), "set here")
+          .note(ctx.blockRange(), "called here");
+    else
       finding
           .message("the {0} here was set by the called program", ctx.dialect().groups[group].title)
           .note(after.origin.ofGroup(group), "set here and not set back")

@@ -4,10 +4,11 @@
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/next_station.h"
-#include "analyzer/facts/rapid_to_chuck.h"
 #include "analyzer/facts/turned_pass.h"
+#include "analyzer/facts/turning_rapids.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
+#include "analyzer/rule/report_once.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
 
@@ -17,6 +18,7 @@ namespace {
 struct MotionRapidPlungeMemory {
   /// Rapid moves in the air have an F too: some post-processors write one into every block.
   bool feedsRapids = false;
+  OncePerCause allRapid; ///< no block of the program is fed
 };
 
 class MotionRapidPlunge final : public StatefulRule<MotionRapidPlungeMemory> {
@@ -34,20 +36,17 @@ public:
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
     if (ctx.block().has(letterAddress('F')) && withoutCode(event, ctx))
       return;
+    const bool turns = lathe_ || isTurning(ctx);
+    if (turns)
+      turning_.intoWork(event, places_, ctx);
     if (lathe_) {
-      onAxis(event, ctx);
-      intoTurned(event, ctx);
-      throughTurned(event, ctx);
       if (ctx.after().at(Axis::X).hi <= 0) // beside the work it does no harm
         leavesDeep(event, ctx);
-      towardsChuck(event, ctx);
-      return alongWork(event, ctx);
+      TurningRapids::towardsChuck(event, ctx);
+      return TurningRapids::alongWork(event, memory().feedsRapids, ctx);
     }
-    if (isTurning(ctx)) {
-      onAxis(event, ctx);
-      intoTurned(event, ctx);
-      return throughTurned(event, ctx);
-    }
+    if (turns)
+      return;
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
     if (isRapidWithFeed(ctx) && !endsLowerBelowZero(ctx))
       memory().feedsRapids = true;
@@ -60,7 +59,7 @@ public:
         !to.isConstant() || ctx.before().inMachineCoordinates(Axis::Z) ||
         ctx.after().inMachineCoordinates(Axis::Z) || to.value() >= from.value() ||
         ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
-        hasWorkOfItsOwn(ctx) || mayBeTransformed(ctx.dialect(), ctx.after()) ||
+        takesWordsItself(ctx) || mayBeTransformed(ctx.dialect(), ctx.after()) ||
         turnsWork(ctx.dialect(), ctx.after()))
       return;
     if (intoClamp(event, ctx) || outOfCut(event, ctx) || withFeed(event, ctx) ||
@@ -90,7 +89,7 @@ private:
     if (tool == Axis::Z || axis > 2 || !ctx.machine().stock || !(event.axes >> axis & 1) ||
         event.inMachineCoordinates() || !after.frames.empty() || before.machineAxes ||
         after.machineAxes || before.may(Fact::UnknownCode) || after.may(Fact::UnknownCode) ||
-        hasWorkOfItsOwn(ctx) || mayBeTransformed(ctx.dialect(), after))
+        takesWordsItself(ctx) || mayBeTransformed(ctx.dialect(), after))
       return;
     const Stock &stock = *ctx.machine().stock;
     const Interval &from = before.at(tool), &to = after.at(tool);
@@ -119,11 +118,30 @@ private:
         before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Rapid ||
         !before.originOf(ctx.dialect(), StandardGroup::Motion).known() || !isFedOrRapid(event, ctx))
       return false;
+    if (isNeverFed(event, ctx))
+      return true;
     if (auto finding = ctx.report(event))
       finding
           .message("this move has a feed, and a rapid move is in force: the tool is not fed, it "
                    "goes at full speed")
           .note(before.originOf(ctx.dialect(), StandardGroup::Motion), "by this code");
+    return true;
+  }
+
+  /// No block of the program has a code for a feed move, and many have a feed: said once.
+  bool isNeverFed(const Event &event, RuleContext &ctx) const {
+    constexpr unsigned many = 3; // blocks
+    const unsigned fed = places_.of(ctx).neverFed;
+    if (fed < many)
+      return false;
+    if (!memory().allRapid.speaks(Origin(), ctx))
+      return true;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("no block of the program has a code for a feed move: this one and the others "
+                   "with a feed, {0} blocks, run at rapid, and the tool goes in at full speed",
+                   fed)
+          .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Motion), "by this code");
     return true;
   }
 
@@ -165,7 +183,7 @@ private:
     if (!(event.axes >> unsigned(Axis::Z) & 1) || !to.isConstant() || to.value() >= 0 || !here ||
         !event.certain || event.inMachineCoordinates() || !ctx.after().frames.empty() ||
         ctx.after().inMachineCoordinates(Axis::Z) || ctx.before().may(Fact::UnknownCode) ||
-        turnsWork(ctx.dialect(), ctx.after()) || hasWorkOfItsOwn(ctx) ||
+        turnsWork(ctx.dialect(), ctx.after()) || takesWordsItself(ctx) ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::No ||
         !(comesUpNext(ctx) || (hasCutAcross(ctx) && risesNext(ctx))))
@@ -196,77 +214,6 @@ private:
           "on: elsewhere the program feeds it down to there",
           shortLength(ctx, -ctx.after().at(Axis::Z).value()));
     return true;
-  }
-
-  /// A turning tool comes at rapid from outside to below what is left of the work.
-  void intoTurned(const Event &event, RuleContext &ctx) const {
-    const Interval &from = ctx.before().at(Axis::X), &to = ctx.after().at(Axis::X);
-    const bool along = event.axes == 1u << unsigned(Axis::Z);
-    if (!(along || event.axes >> unsigned(Axis::X) & 1) || !from.isConstant() || !to.isConstant() ||
-        (along ? ctx.after().at(Axis::Z).hi >= ctx.before().at(Axis::Z).lo
-               : to.value() >= from.value()) ||
-        !event.certain || event.inMachineCoordinates() || hasWorkOfItsOwn(ctx) ||
-        ctx.before().profile != ProfileMode::Off)
-      return;
-    const auto left = along ? rapidPassInTurned(shapes_, ctx) : rapidIntoTurned(shapes_, ctx);
-    if (auto finding = left ? ctx.report(event) : FindingBuilder())
-      finding.message("this rapid move ends inside of the diameter {0}, which the program leaves",
-                      shortNumber(*left));
-  }
-
-  void onAxis(const Event &event, RuleContext &ctx) const {
-    const auto slip = rapidToChuck(shapes_, places_, event, ctx);
-    if (auto finding = slip ? ctx.report(event) : FindingBuilder())
-      finding.message(slip->what, shortLength(ctx, slip->length));
-  }
-
-  /// A lathe: after a pass along the work straight to the begin of a deeper one, through what was
-  /// just turned: Z first, and then X.
-  static void throughTurned(const Event &event, RuleContext &ctx) {
-    const auto crossed = crossedPass(event, ctx);
-    if (!crossed)
-      return;
-    if (auto finding = ctx.report(event))
-      finding.message(crossed->what, shortNumber(crossed->pass.diameter), shortNumber(crossed->at))
-          .note(crossed->pass.range, "this cut leaves it");
-  }
-
-  /// A lathe: to the place where the program changes its tools, but for the sign of Z.
-  static void towardsChuck(const Event &event, RuleContext &ctx) {
-    constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-    const Interval &to = ctx.after().at(Axis::Z);
-    const Word *const x = ctx.block().find(letterAddress('X'));
-    const Word *const z = ctx.block().find(letterAddress('Z'));
-    if (event.axes != both || !to.isConstant() || to.value() >= 0 || !x || !z || !x->isNumber() ||
-        !z->isNumber() || z->value() >= 0 || !event.certain || event.inMachineCoordinates() ||
-        ctx.before().profile != ProfileMode::Off || nextStation(ctx) != Station::Home)
-      return;
-    if (!mirrorsOthers(ctx, x->value(), z->value()))
-      return;
-    if (auto finding = ctx.report(event))
-      finding.message("`{0}` leads to the chuck: elsewhere the program goes to X{1} Z{2} before it "
-                      "changes the tool",
-                      ctx.text(*z), shortNumber(x->value()), shortNumber(-z->value()));
-  }
-
-  /// A lathe: a rapid move along the work with a feed in its block, after which the tool retracts
-  /// at once. It has cut nothing, or everything at full speed: G1 was meant.
-  void alongWork(const Event &event, RuleContext &ctx) const {
-    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
-    if (!ctx.block().has(letterAddress('F')))
-      return;
-    if (event.axes != 1u << unsigned(Axis::Z) || !event.certain || event.inMachineCoordinates() ||
-        !from.isConstant() || !to.isConstant() || to.value() >= from.value() || to.value() >= 0 ||
-        ctx.before().inMachineCoordinates(Axis::Z) || ctx.before().may(Fact::UnknownCode) ||
-        hasWorkOfItsOwn(ctx) || !ctx.find({Action::Rapid}) || !retractsNext(ctx)) {
-      memory().feedsRapids = true;
-      return;
-    }
-    if (memory().feedsRapids)
-      return;
-    if (auto finding = ctx.report(event))
-      finding.message("this rapid move along the work has a feed, and the tool retracts after it: "
-                      "it is not fed, it goes through at full speed");
   }
 
   /// `G43 H3 Z-50.` where the other tools come down to above zero: the sign is missing there.
@@ -304,7 +251,7 @@ private:
     if (event.axes != 1u << unsigned(Axis::Z) || !z || !z->isNumber() || z->value() >= 0 ||
         !event.certain || event.inMachineCoordinates() || !after.frames.empty() ||
         ctx.before().may(Fact::UnknownCode) || ctx.callDepth() > 0 ||
-        !ctx.before().must(Fact::CutSinceTool) || hasWorkOfItsOwn(ctx) ||
+        !ctx.before().must(Fact::CutSinceTool) || takesWordsItself(ctx) ||
         after.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) ==
             Truth::Yes ||
         !isBelowAll(ctx, 1) || !doesNothingHere(ctx))
@@ -321,7 +268,7 @@ private:
     if (!isRapidWithFeed(ctx) || event.axes & ~plane || !event.certain || !at.isConstant() ||
         at.value() >= 0 || event.inMachineCoordinates() || !ctx.after().frames.empty() ||
         ctx.after().inMachineCoordinates(Axis::Z) || ctx.before().may(Fact::UnknownCode) ||
-        turnsWork(ctx.dialect(), ctx.after()) || hasWorkOfItsOwn(ctx) || ctx.callDepth() > 0 ||
+        turnsWork(ctx.dialect(), ctx.after()) || takesWordsItself(ctx) || ctx.callDepth() > 0 ||
         places_.of(ctx).fedRapids != 1)
       return false;
     if (auto finding = ctx.report(event))
@@ -430,20 +377,14 @@ private:
       return false;
     if (isRapidWithFeed(ctx) ? memory().feedsRapids : !here && !nextMoveIsFed(ctx))
       return false;
+    if (isNeverFed(event, ctx))
+      return true;
     if (auto finding = ctx.report(event))
       finding.message("this rapid move ends {0} below zero, and {1} has a feed: the tool is not "
                       "fed, it goes in at full speed",
                       shortLength(ctx, -ctx.after().at(Axis::Z).value()),
                       here ? "its block" : "the next move");
     return true;
-  }
-
-  /// A code of the block takes its words: engraving or another cycle, while G00 is in force.
-  static bool hasWorkOfItsOwn(const RuleContext &ctx) {
-    return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
-      const CodeInfo &code = ctx.code(use);
-      return code.cycle != CycleKind::None || code.action == Action::MachineSpecific;
-    });
   }
 
   /// The block names both a rapid move and a feed.
@@ -483,7 +424,7 @@ private:
     return false;
   }
 
-  TurnedShapes shapes_;
+  TurningRapids turning_;
   PlacesOfPrograms places_;
   std::optional<double> top_;
   bool wanted_ = false;

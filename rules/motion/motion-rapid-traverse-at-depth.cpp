@@ -10,6 +10,7 @@
 #include "interp/geometry/obstacle.h"
 
 #include <array>
+#include <cmath>
 
 namespace ncvet {
 namespace {
@@ -59,7 +60,7 @@ public:
     if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown)) {
       finding.message("rapid in the plane at depth {0}: the tool was fed in from {1}",
                       placeText(ctx, from.value()), placeText(ctx, level));
-      if (comesFromCall(ctx) || isWithinContour(ctx))
+      if (comesFromCall(ctx) || isWithinContour(ctx) || isFedToSameDepth(ctx))
         finding.severity(Severity::Warning);
     }
   }
@@ -142,6 +143,27 @@ private:
            !(axesOf(ctx.dialect(), next) >> unsigned(Axis::Z) & 1) &&
            !findCode(ctx.dialect(), next, {Action::CompensationOff}) &&
            findCode(ctx.dialect(), next, {Action::Linear, Action::ArcCw, Action::ArcCcw});
+  }
+
+  /// The tool is then fed along Z to where it is already: the program takes it to be up, and its
+  /// retract is missing.
+  static bool isFedToSameDepth(const RuleContext &ctx) {
+    constexpr unsigned furthest = 3; // blocks
+    const MachineState &after = ctx.after();
+    const Interval &depth = after.at(Axis::Z);
+    const auto unit = millimetresPer(ctx.dialect(), after);
+    if (!unit || !depth.isConstant() || depth.value() >= 0 || staysWhereItHasCut(after) ||
+        !after.frames.empty() ||
+        after.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) != Truth::Yes)
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i)
+      if (const Word *const z = next.find(letterAddress('Z')))
+        return z->isNumber() && std::fabs(z->value() * *unit - depth.value()) < 1e-6 &&
+               axesOf(ctx.dialect(), next) == 1u << unsigned(Axis::Z) &&
+               findCode(ctx.dialect(), next, {Action::Linear});
+    return false;
   }
 
   /// The block before leads up along Z by a feed move.

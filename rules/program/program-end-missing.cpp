@@ -1,4 +1,6 @@
 // A path of the main program reaches the end of the text without an end code.
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
@@ -61,7 +63,8 @@ public:
     if (fileIsProgram_ && onlySets(program, ctx))
       finding.severity(Severity::Style);
     // Without a number it may be a part of a program that somebody joins.
-    if (!fileIsProgram_ && !program.hasHeader())
+    // After a stop somebody may reset instead of going on.
+    if ((!fileIsProgram_ && !program.hasHeader()) || stopsAt(where, ctx))
       finding.severity(Severity::Warning);
     finding.message("the program runs out after this block: no `{0}` ends it", end_);
     endAfter(where, finding, ctx);
@@ -74,6 +77,13 @@ private:
     const llvm::StringRef path = shown;
     const llvm::StringRef stem = path.drop_front(path.rfind('/') + 1).rsplit('.').first;
     return ctx.index().label(program, stem, program.body).has_value();
+  }
+
+  /// Whether a stop is in the block, or in the one before it.
+  static bool stopsAt(const SourceRange &last, const RuleContext &ctx) {
+    Block block;
+    readBlockAt(ctx.source(), ctx.index().reader(), last.begin, block);
+    return findCode(ctx.dialect(), block, {Action::ProgramStop}) != nullptr;
   }
 
   /// No block has a word of an axis: it is read before a program, and gives values, or is the head

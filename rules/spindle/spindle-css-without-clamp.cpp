@@ -41,8 +41,7 @@ public:
       return;
     const bool certain = !state.may(Fact::SpeedLimitSet) && !state.may(Fact::UnknownCode);
     if (auto finding = ctx.report(event, certain)) {
-      if (limitFollows_ && isLimitedLater(ctx))
-        finding.severity(Severity::Warning);
+      finding.severity(severityOf(ctx));
       finding.message(
           "`{0}` without a speed limit: near the centre the spindle runs up to its maximum",
           ctx.code(event).name);
@@ -55,6 +54,63 @@ public:
   }
 
 private:
+  /// It is worst where a cut leads to the centre, or where the program limits the speed elsewhere;
+  /// where all cuts are at diameters that ask for a usual speed it is a remark.
+  std::optional<Severity> severityOf(const RuleContext &ctx) const {
+    constexpr double centre = 2, usual = 2000; // mm of the diameter; revolutions per minute
+    constexpr double pi = 3.14159265358979;
+    if (limitFollows_ && isLimitedLater(ctx))
+      return Severity::Warning;
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    const auto x = ctx.dialect().isLathe() ? smallestX(ctx) : std::nullopt;
+    if (!x || !unit)
+      return std::nullopt;
+    if (*x <= 0)
+      return Severity::Warning;
+    const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
+    if (units == noGroup || !ctx.after().isStated(units)) // 1.8 may be inches
+      return std::nullopt;
+    if (*x * *unit <= centre)
+      return Severity::Warning;
+    // Metres a minute with millimetres, feet a minute with inches.
+    const double perTurn = *unit == 1 ? 1000 : 12;
+    const Interval &speed = ctx.after().speed.get();
+    return speed.isConstant() && speed.value() * perTurn / (pi * *x) <= usual
+               ? std::optional(Severity::Style)
+               : std::nullopt;
+  }
+
+  /// The smallest X of the blocks up to the end of the mode, as far as the text tells it.
+  static std::optional<double> smallestX(const RuleContext &ctx) {
+    constexpr unsigned furthest = 200; // blocks
+    const Dialect &dialect = ctx.dialect();
+    std::optional<double> smallest;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; ahead.next(next); ++i) {
+      if (findCode(dialect, next,
+                   {Action::ConstantSpeed, Action::SpindleStop, Action::ProgramEnd,
+                    Action::ProgramEndRewind}) ||
+          next.has(letterAddress('T')))
+        return smallest;
+      if (i == furthest || !next.items.empty())
+        return std::nullopt;
+      if (findCode(dialect, next,
+                   {Action::ReferenceReturn, Action::MachineMove, Action::PresetPosition}))
+        continue;
+      const bool cycle = findCode(dialect, next, {Action::Cycle});
+      if ((next.has(letterAddress('U')) && !cycle) ||
+          findCode(dialect, next, {Action::Incremental, Action::CallProgram, Action::MacroCall}))
+        return std::nullopt;
+      const Word *const x = next.find(letterAddress('X'));
+      if (x && !x->isNumber())
+        return std::nullopt;
+      if (x)
+        smallest = std::min(smallest.value_or(x->value()), std::max(x->value(), 0.0));
+    }
+    return std::nullopt;
+  }
+
   /// What the text makes of each limit of a program: whether a cutting speed, or a speed of the
   /// spindle, is what S means after it.
   struct Limits {

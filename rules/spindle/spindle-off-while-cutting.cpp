@@ -63,7 +63,7 @@ public:
       live = spindleOff;
     if (!mayStop(state.spindle, live))
       return sleepInShape();
-    if (event.kind == EventKind::Motion && isAboveStock(ctx))
+    if (event.kind == EventKind::Motion && (isAboveStock(ctx) || isInAir(event, ctx)))
       return;
     const bool may = mayTurn(state.spindle, live);
     if (may && ctx.after().may(Fact::UnknownCode))
@@ -82,11 +82,9 @@ public:
         isBackBoring(state, ctx) || !memory().once.speaks(origin, ctx) ||
         (startWhereNamed_ && namesNoSpindle(ctx)))
       return;
-    if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
-      // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
-      // to a switch of its own.
-      if (neverTurns(state, ctx))
-        finding.severity(Severity::Warning);
+    const bool byHand = !state.may(Fact::SpindleStated) && stopsForHand(ctx);
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may && !byHand)) {
+      finding.severity(severityOf(state, byHand, ctx));
       if (last)
         holeOfStop(event, code, finding, ctx);
       finding
@@ -133,6 +131,11 @@ private:
     if (namesAxesAlone(ctx.dialect(), ctx.block()) ||
         ctx.find({Action::LengthPositive, Action::LengthNegative}))
       return false; // (a tool comes to its first height with its length)
+    // Along the tool's axis to a place that is not known, perhaps out of the work.
+    const Interval &from = ctx.before().at(tool), &to = ctx.after().at(tool);
+    if (!ctx.dialect().isLathe() && event.axes == uint16_t(1u << unsigned(tool)) &&
+        !to.isConstant() && !(to.hi < from.lo))
+      return false;
     // No motion was asked for, and none is made for want of a feed: other rules say so.
     const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
     return motion == noGroup || ctx.after().mayBeStated(motion) || ctx.after().may(Fact::FeedSet);
@@ -144,6 +147,28 @@ private:
     return top_ && !ctx.dialect().isLathe() && from.lo > *top_ && to.lo > *top_ &&
            !ctx.before().inMachineCoordinates(Axis::Z) &&
            !ctx.after().inMachineCoordinates(Axis::Z);
+  }
+
+  /// A mill: across to the first cut of the tool, at the height to which it came at rapid; the
+  /// spindle is started before it goes down.
+  static bool isInAir(const Event &event, const RuleContext &ctx) {
+    constexpr unsigned furthest = 6; // blocks
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    const MachineState &before = ctx.before();
+    const Interval &height = before.at(tool);
+    if (ctx.dialect().isLathe() || event.axes >> unsigned(tool) & 1 ||
+        before.may(Fact::CutSinceTool) || (height.isConstant() && height.value() < 0))
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (findCode(ctx.dialect(), next, {Action::SpindleCw, Action::SpindleCcw}))
+        return true;
+      if (axesOf(ctx.dialect(), next) >> unsigned(tool) & 1 ||
+          findCode(ctx.dialect(), next, {Action::Cycle, Action::ToolChange}))
+        return false;
+    }
+    return false;
   }
 
   /// The cycle cuts with the spindle; without axis words a modal cycle sets modes only.
@@ -168,6 +193,17 @@ private:
   static bool nothingSaid(const MachineState &state) {
     return !state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
            !state.may(Fact::SpindleStated);
+  }
+
+  /// Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle to
+  /// a switch of its own.
+  static std::optional<Severity> severityOf(const MachineState &state, bool byHand,
+                                            const RuleContext &ctx) {
+    // A pen is put down by such a program, after an M05 for safety.
+    if (byHand || (state.may(Fact::SpindleStated) && !state.may(Fact::ToolCalled) &&
+                   !state.may(Fact::SpeedSet) && namesNoSpindle(ctx)))
+      return Severity::Style;
+    return neverTurns(state, ctx) ? std::optional(Severity::Warning) : std::nullopt;
   }
 
   /// Up to here neither speed nor spindle was named, and no block of the program starts a spindle.
@@ -212,6 +248,21 @@ private:
       if (findCode(ctx.dialect(), next, {Action::SpindleCw, Action::SpindleCcw}))
         return true;
       if (findCode(ctx.dialect(), next, {Action::ToolChange, Action::Cycle}))
+        return false;
+    }
+    return false;
+  }
+
+  /// Between the tool and the cut the program stops: the spindle may be one that is switched by
+  /// hand.
+  static bool stopsForHand(const RuleContext &ctx) {
+    constexpr unsigned furthest = 20; // blocks
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block)) {
+      if (findCode(ctx.dialect(), block, {Action::ProgramStop}))
+        return true;
+      if (findCode(ctx.dialect(), block, {Action::ToolChange, Action::Cycle, Action::Linear}))
         return false;
     }
     return false;

@@ -88,11 +88,25 @@ private:
       std::optional<uint32_t> &afterText = memory().afterText.look();
       const bool goesOn = ctx.block().begin == afterText;
       afterText = ctx.block().next;
-      return goesOn ? nullptr : "this is no block: the control reads none of it and stops";
+      return goesOn ? nullptr
+                    : ofNoBlock(ctx.dialect().lexical.commaSeparates ? ""
+                                                                     : ctx.text(ctx.range(issue)));
     }
     default:
       return nullptr;
     }
+  }
+
+  /// The line may have been meant as a comment or as a calculation.
+  static const char *ofNoBlock(llvm::StringRef line) {
+    const size_t close = line.find(')'), open = line.find('(');
+    if (close != llvm::StringRef::npos && open == llvm::StringRef::npos)
+      return "a `)` without its `(`: the control reads the comment as a block, and stops";
+    if (line.contains('#') && open != llvm::StringRef::npos && open &&
+        llvm::isAlpha(line[open - 1]))
+      return "this is no block: what a function computes is written in `[ ]`, and `( )` is a "
+             "comment";
+    return "this is no block: the control reads none of it and stops";
   }
 
   static const char *ofExpression(const SyntaxIssue &issue, const RuleContext &ctx) {

@@ -1,4 +1,5 @@
 // A length, angle or feed without a decimal point on a control that may scale such a value.
+#include "analyzer/program/project.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -31,6 +32,9 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.wordIssue() != WordIssue::NoPoint)
       return sleepInShape();
+    // Of a file that is called the check of that file counts the points.
+    if (lengths_ && !isOfCheckedFile(ctx))
+      return;
     // With this setting the control reads whole numbers as they are meant.
     if (const auto reading = ctx.machine().option("decimalPoint");
         reading && *reading == "calculator")
@@ -108,6 +112,13 @@ public:
 private:
   static constexpr int64_t leastIncrements = 100; ///< of a depth that is meant so
   static constexpr size_t enough = 20;            ///< that many are kept
+
+  static bool isOfCheckedFile(const RuleContext &ctx) {
+    const CallSite *first = ctx.caller();
+    while (first && first->before)
+      first = first->before;
+    return !first || !first->unit || first->unit->source.id() == ctx.source().id();
+  }
 
   /// The first speaks for the others of its block.
   static bool areOfOneBlock(const SourceRange &first, const SourceRange &other,

@@ -8,6 +8,7 @@ namespace {
 struct SyntaxUnclosedCommentMemory {
   bool marked = false; ///< a comment with a % was told
   OncePerCause once;
+  OncePerCause brackets; ///< of comments after which a bracket alone is left
 };
 
 class SyntaxUnclosedComment final : public StatefulRule<SyntaxUnclosedCommentMemory> {
@@ -48,8 +49,11 @@ public:
         return;
       }
       // With nothing after the `)` the comment is read whole, but for one more bracket.
-      if (ctx.source().text(issue.end, ctx.block().end).trim().empty())
+      const llvm::StringRef left = ctx.source().text(issue.end, ctx.block().end).trim(" \t\r\n;");
+      if (left.empty())
         return;
+      if (left.trim(braces ? "} \t" : ") \t").empty())
+        return bracketLeft(range, ctx);
       // Who writes brackets into comments does it throughout.
       if (!memory().once.speaks(Origin(), ctx))
         return;
@@ -72,6 +76,16 @@ public:
   }
 
 private:
+  /// `(HOLES (FIRST ROW) )`: nothing is read as code, but a bracket is left.
+  void bracketLeft(const SourceRange &range, RuleContext &ctx) const {
+    if (!memory().brackets.speaks(Origin(), ctx))
+      return;
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Style)
+          .text("the comment ends at its first closing bracket, and one more is left after it: "
+                "most controls pass it over");
+  }
+
   /// A `%` in a comment, the first of the file.
   void tapeMark(RuleContext &ctx) const {
     for (const Comment &comment : ctx.block().comments) {

@@ -391,6 +391,8 @@ private:
       }
       if (machine)
         return {};
+      if (const Word *const begin = block.find('Z'); begin && cuts && place.z && !place.from)
+        place.from = begin->value(); // the cut led from there
       place.fill(block);
       cuts |= findCode(dialect, block, {Action::Linear, Action::ArcCw, Action::ArcCcw}) != nullptr;
       if (!cuts && hasMotionCode(dialect, block))
@@ -398,7 +400,8 @@ private:
     }
     if (!cuts)
       return {};
-    place.from = placeBefore(ctx, block);
+    if (!place.from)
+      place.from = placeBefore(ctx, block);
     return place;
   }
 

@@ -26,6 +26,7 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
+    stays_ = to.flag("changeStays");
     retracts_ = to.flag("retracts") && to.dialect().facts->tools.cuttingEdges;
     if (retracts_)
       to.onMoves({MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
@@ -55,7 +56,7 @@ public:
     if (event.kind == EventKind::CycleRun && cycleOutlivesTool(state))
       return; // the hole itself is not meant
     // Cancelled on purpose in this block, on the retract; up to the height of the change.
-    if (ctx.find({Action::LengthOff}) || leadsUp(event, ctx))
+    if (ctx.find({Action::LengthOff}) || leadsUp(event, ctx) || staysThere(event, ctx))
       return;
     const bool certain =
         event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
@@ -90,8 +91,50 @@ public:
   }
 
 private:
+  /// `G43 H0 Z5.` after `G43 H1`, and the tool goes on down: the number of its offset was lost.
+  static bool worksWithout(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const Word *const h = ctx.block().find(letterAddress('H'));
+    if (before.lengthOffset <= 0 || after.lengthOffset != 0 || !h || !event.certain ||
+        event.kind != EventKind::Motion || event.inMachineCoordinates() ||
+        event.motion == MotionKind::Reference || before.may(Fact::UnknownCode) ||
+        before.tool != after.tool || !ctx.find({Action::LengthPositive, Action::LengthNegative}) ||
+        after.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) != Truth::Yes ||
+        !goesDown(ctx))
+      return false;
+    if (auto finding = ctx.report(*h))
+      finding.severity(Severity::Warning)
+          .message("`{0}` takes the length offset away, and the tool goes on down: it is deeper by "
+                   "its length",
+                   ctx.text(*h))
+          .note(before.originOf(ctx.dialect(), StandardGroup::LengthOffset),
+                "the offset is switched on here");
+    return true;
+  }
+
+  /// The next block along Z leads lower, or drills.
+  static bool goesDown(const RuleContext &ctx) {
+    constexpr unsigned furthest = 6; // blocks
+    const Word *const here = ctx.block().find(letterAddress('Z'));
+    BlocksAhead ahead(ctx);
+    Block block;
+    for (unsigned i = 0; here && here->isNumber() && i < furthest && ahead.next(block); ++i) {
+      if (findCode(ctx.dialect(), block,
+                   {Action::ToolChange, Action::ReferenceReturn, Action::MachineMove,
+                    Action::LengthPositive, Action::LengthOff, Action::ProgramEnd,
+                    Action::ProgramEndRewind}))
+        return false;
+      const Word *const z = block.find(letterAddress('Z'));
+      if (z)
+        return z->isNumber() && z->value() < here->value();
+    }
+    return false;
+  }
+
   /// `G49`, and with the same tool a move to a height that was meant for its tip.
   void afterCancel(const Event &event, RuleContext &ctx) const {
+    if (worksWithout(event, ctx))
+      return;
     const auto off = [&](const MachineState &state) {
       return state.isActive(ctx.dialect(), StandardGroup::LengthOffset, {Action::LengthOff}) ==
              Truth::Yes;
@@ -131,6 +174,13 @@ private:
     return false;
   }
 
+  /// A word of the axis that says again where it is moves nothing along it.
+  bool staysThere(const Event &event, const RuleContext &ctx) const {
+    const Interval &from = ctx.before().at(Axis::Z);
+    return stays_ && event.kind == EventKind::Motion && from.isConstant() &&
+           from == ctx.after().at(Axis::Z);
+  }
+
   /// The block of the change itself leads up, at rapid.
   static bool leadsUp(const Event &event, const RuleContext &ctx) {
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
@@ -138,6 +188,7 @@ private:
            from.isConstant() && to.isConstant() && to.value() > from.value();
   }
 
+  bool stays_ = false;    ///< a tool change leaves the axes where they are
   bool retracts_ = false; ///< D0 takes the length away, and a retract has left it in force
 
   /// `SUPA G0 Z500 D0`, and a cut without D1.

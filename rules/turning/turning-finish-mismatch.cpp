@@ -1,6 +1,7 @@
 // The finishing cycle runs along other blocks, or starts elsewhere, than the roughing before it.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turning_profile.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -28,6 +29,8 @@ public:
     if (before.roughFirst < 0 || before.roughLast < 0 || flow.first < 0 || flow.last < 0)
       return;
     if (flow.first == before.roughFirst && flow.last == before.roughLast) {
+      if (startsInside(event, cycle, ctx))
+        return;
       if (sameStart_)
         checkStart(event, cycle, ctx);
       return;
@@ -68,6 +71,35 @@ private:
       }
     }
     return false;
+  }
+
+  /// The finishing begins beside the contour, past the face before which the roughing began: the
+  /// tool has come there through what roughing has left.
+  static bool startsInside(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
+    constexpr double least = 0.5; // mm
+    const MachineState &before = ctx.before();
+    const Interval &x = before.at(Axis::X), &z = before.at(Axis::Z);
+    const Interval &was = before.roughStart[0], &front = before.roughStart[1];
+    const auto unit = millimetresPer(ctx.dialect(), before);
+    if (!event.certain || !x.isConstant() || !z.isConstant() || !was.isConstant() || !unit ||
+        !front.isConstant() || front.value() <= 0 || z.value() >= 0 ||
+        before.inMachineCoordinates(Axis::X) || before.inMachineCoordinates(Axis::Z))
+      return false;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known || !profile.minX || !profile.maxX || !profile.minZ ||
+        z.value() < *profile.minZ)
+      return false;
+    const bool outside = was.value() >= *profile.maxX, inside = was.value() <= *profile.minX;
+    if (outside == inside ||
+        (outside ? x.value() > *profile.maxX - least : x.value() < *profile.minX + least))
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` starts at X{1} Z{2}, beside the contour and not before it: the tool goes "
+                   "there through what roughing has left",
+                   cycle.name, shortNumber(x.value() / *unit), shortNumber(z.value() / *unit))
+          .note(before.origin.of(StatePart::Roughing), "the roughing cycle");
+    return true;
   }
 
   static void checkStart(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {

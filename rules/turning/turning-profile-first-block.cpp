@@ -169,7 +169,13 @@ private:
     const Profile &profile = work.way.profile;
     const bool hasX = work.moves(Axis::X), hasZ = work.moves(Axis::Z);
     const ShapeBreak undercut = undercutOf(ctx, profile);
-    if (!bothAxesFirst_ && hasX && hasZ && !undercut.found && undercut.decided && work.way.always) {
+    // Where the tool is at that Z already the word says nothing else.
+    const Interval &from = work.first().fromZ, &to = work.first().toZ;
+    if (hasZ && !hasX && leadsAlong(work, ctx))
+      return;
+    const bool stays = from.isConstant() && from == to;
+    if (!bothAxesFirst_ && hasX && hasZ && (!stays || ctx.asked()) && !undercut.found &&
+        undercut.decided && work.way.always) {
       if (auto finding = work.report(ctx))
         finding
             .message(
@@ -186,6 +192,22 @@ private:
                 work.cycle.name)
             .note(profile.blocks[undercut.index].range, "the contour turns back here");
     }
+  }
+
+  /// A first block in Z alone that goes along the work: no block leads in to the contour.
+  static bool leadsAlong(const Work &work, RuleContext &ctx) {
+    const ProfileBlock &first = work.first();
+    if (!first.motionKnown || first.motion != MotionKind::Feed || !first.fromZ.isConstant() ||
+        !first.toZ.isConstant() || first.toZ.value() >= first.fromZ.value() ||
+        first.toZ.value() >= 0 || !work.event.certain)
+      return false;
+    if (auto finding = work.report(ctx))
+      finding.severity(Severity::Warning)
+          .message(
+              "the first block of the profile of `{0}` moves along Z alone: it is the one that "
+              "leads in X to the contour, and nothing is left to rough",
+              work.cycle.name);
+    return true;
   }
 
   bool codeRequired_ = false, startsInX_ = false, faceXForbidden_ = false, undercutNeedsZ_ = false;

@@ -1,5 +1,6 @@
 // Words of a profile that the roughing cycle does not obey.
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
@@ -27,6 +28,8 @@ public:
     AddressMask technology = lettersMask("FST");
     if (onlyWithoutOwn_) // roughing has its own value
       technology &= ~ctx.block().addresses;
+    if (!finishing && !finish_)
+      technology &= ~takenByFinish(profile, technology, ctx);
     const bool sharp = corners_ && !finishing && cycle.cycle != CycleKind::PatternRepeat;
     for (const ProfileBlock &entry : profile.blocks) {
       const bool line = entry.moves && entry.motionKnown && entry.motion == MotionKind::Feed;
@@ -63,6 +66,32 @@ public:
   }
 
 private:
+  /// The words that a cycle further down takes from the same profile to finish it: it has none of
+  /// its own. Nothing where the user asks for every word that roughing does not obey.
+  static AddressMask takenByFinish(const Profile &profile, AddressMask words, RuleContext &ctx) {
+    constexpr unsigned furthest = 100; // blocks
+    const Word *const first = ctx.block().find(letterAddress('P'));
+    const Word *const last = ctx.block().find(letterAddress('Q'));
+    if (ctx.asked() || profile.blocks.empty() || !first || !last)
+      return 0;
+    const auto isSame = [](const Word *word, const Word &own) {
+      return word && word->isNumber() && own.isNumber() && word->value() == own.value();
+    };
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block :
+         blocks(ctx.index(), profile.blocks.back().block.next, program.end, furthest))
+      if (isSame(block.find(letterAddress('P')), *first) &&
+          isSame(block.find(letterAddress('Q')), *last) && finishes(block, ctx.dialect()))
+        return words & ~block.addresses;
+    return 0;
+  }
+
+  static bool finishes(const Block &block, const Dialect &dialect) {
+    return llvm::any_of(codesOf(dialect, block), [&](CodeIndex code) {
+      return dialect.codes[code].cycle == CycleKind::Finish;
+    });
+  }
+
   bool onlyWithoutOwn_ = false, corners_ = false;
   bool finish_ = false; ///< a finishing cycle does not obey F, S and T either
 };

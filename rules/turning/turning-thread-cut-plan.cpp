@@ -1,4 +1,5 @@
 // The passes of a thread do not fit its depth, or do not go deeper.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
@@ -55,7 +56,8 @@ private:
       return;
     // Where the depth counts in micrometres, so may the allowance that has no point.
     if (formulaOf(code, Measure::Height) &&
-        (heightWord->has(wordPoint) || last->value() == std::floor(last->value())))
+        (heightWord->has(wordPoint) ||
+         (last->value() == std::floor(last->value()) && !hasPoint(data, ctx))))
       return;
     if (auto finding = ctx.report(*heightWord, event.certain))
       finding
@@ -63,6 +65,14 @@ private:
                    "`{2}`: nothing is left for the other passes",
                    shortLength(ctx, last->value()), ctx.text(*heightWord), code.name)
           .note(before.origin.of(StatePart::PendingCycle), "the data block");
+  }
+
+  /// Whether the allowance of the data block is written with a point.
+  static bool hasPoint(const CodeInfo &data, const RuleContext &ctx) {
+    Block block;
+    readBlockOf(ctx, ctx.before().origin.of(StatePart::PendingCycle), block);
+    const Word *const allowance = wordOf(block, data, Role::AllowanceX);
+    return allowance && allowance->has(wordPoint);
   }
 
   /// Threads of one start are about 0.6 times as deep as their lead; those of several starts are
@@ -138,6 +148,8 @@ private:
     const Interval &start = ctx.after().cycleStart[0];
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
     const Word *x = ctx.block().findAny(diameterWords);
+    if (changesLead(event, code, ctx))
+      return;
     if (!x || !goesOn(event, ctx) || !event.certain || !start.isConstant() || !unit ||
         before.inMachineCoordinates(Axis::X))
       return;
@@ -158,8 +170,10 @@ private:
       return;
     }
     const bool outside = from > last;
-    if (from == last || (outside ? now < last : now > last))
+    if (from == last)
       return;
+    if (outside ? now < last : now > last)
+      return atOnce(*x, std::fabs(now - last), ctx);
     if (outside ? now >= from : now <= from)
       return; // beyond the start: it is the start that is not clear, or no pass is meant
     if (comesCloser(ctx, now, from))
@@ -170,6 +184,44 @@ private:
                    "nothing",
                    ctx.text(*x), code.name, shortNumber(last))
           .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
+  }
+
+  /// `G92 X29. Z-20. F2.` and then `X28.4 F1.5`: the next pass has another lead.
+  static bool changesLead(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const CycleWords &words = ctx.before().cycle;
+    const AddressMask lead = addressesOf(code, Role::Lead);
+    const Word *const own = block.hasAny(lead) ? block.findAny(lead) : nullptr;
+    if (!own || !event.certain || ctx.find({Action::Cycle}) || !block.hasAny(diameterWords) ||
+        block.hasAny(lettersMask("ZW")))
+      return false;
+    const char letter = char('A' + own->address);
+    const Interval value = ctx.value(*own);
+    if (!words.has(letter) || !value.isConstant() || std::isnan(words.get(letter)) ||
+        value.value() == words.get(letter))
+      return false;
+    if (auto finding = ctx.report(*own))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is another lead than that of the passes before: this one cuts across the "
+                   "thread of `{1}`",
+                   ctx.text(*own), code.name)
+          .note(ctx.before().origin.of(StatePart::Cycle), code.name + " becomes active here");
+    return true;
+  }
+
+  /// One pass takes more than the lead of the thread is long.
+  static void atOnce(const Word &x, double deeper, RuleContext &ctx) {
+    constexpr double sides = 2;
+    const CycleWords &words = ctx.before().cycle;
+    const double lead = words.has('F') ? std::fabs(words.get('F')) : NAN;
+    const double depth = deeper / sides;
+    if (std::isnan(lead) || lead == 0 || depth <= lead)
+      return;
+    if (auto finding = ctx.report(x))
+      finding.severity(Severity::Warning)
+          .message("the pass at `{0}` goes {1} deeper at once, more than the lead of the thread: "
+                   "was a digit lost?",
+                   ctx.text(x), shortNumber(depth));
   }
 
   /// The passes before and after this one all come closer to the start: it is the start that is

@@ -43,6 +43,8 @@ public:
     if (before.must(Fact::FeedSet) && (isUnusedSince(feed, ctx) || isOfThread(feed, ctx)))
       return;
     const Word *word = ctx.codeWord(event);
+    if (!word && isOfRow(code, feed, ctx))
+      return;
     const bool certain = event.certain && !before.may(Fact::FeedIsLead);
     if (auto finding = ctx.report(word ? ctx.range(*word) : ctx.blockRange(), certain)) {
       if (before.must(Fact::FeedSet)) // nothing stops: it may even be the pitch
@@ -69,6 +71,13 @@ private:
       const CodeInfo &code = ctx.dialect().codes[index];
       return code.action == Action::Thread || cutsThread(code.cycle);
     });
+  }
+
+  /// `X28.4 F1.5` among the passes of `G92`: a further block of the same cycle has given it.
+  static bool isOfRow(const CodeInfo &code, const Origin &feed, const RuleContext &ctx) {
+    const Origin &cycle = ctx.before().origin.of(StatePart::Cycle);
+    return cutsThread(code.cycle) && cycle.known() && feed.known() && cycle.file == feed.file &&
+           cycle.begin < feed.begin;
   }
 
   /// `G00 X19. Z6. F1.5` and then the thread: nothing but it can be meant by the feed.

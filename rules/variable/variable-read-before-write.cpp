@@ -220,9 +220,35 @@ private:
         !memory().names.insert(text.take_front(close).upper()).second)
       return;
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + close + 1)};
-    if (auto finding = ctx.report(range, event.certain))
-      finding.message("`#{0}` is read, and nothing in the program has given it a value",
-                      ctx.text(range));
+    auto finding = ctx.report(range, event.certain);
+    if (!finding)
+      return;
+    const std::string name = "#" + ctx.text(range).str();
+    if (const auto given = givenToCaller(name, ctx)) {
+      finding
+          .message(
+              "`{0}` is read in a subprogram, and it is its caller's: a name is known to other "
+              "programs when it begins with `_`",
+              name)
+          .note(*given, "it is given its value here");
+      return;
+    }
+    finding.message("`{0}` is read, and nothing in the program has given it a value", name);
+  }
+
+  /// Where the text before a called subprogram gives the name a value; of the first names alone.
+  std::optional<SourceRange> givenToCaller(llvm::StringRef name, const RuleContext &ctx) const {
+    constexpr size_t most = 20; // names, each of which is looked for in the whole text
+    if (ctx.callDepth() == 0 || memory().names.size() > most)
+      return std::nullopt;
+    const llvm::StringRef before = ctx.source().text().take_front(ctx.block().begin);
+    for (size_t at = before.find_insensitive(name); at != llvm::StringRef::npos;
+         at = before.find_insensitive(name, at + 1)) {
+      const llvm::StringRef line = before.take_front(at).rsplit('\n').second;
+      if (line.trim().empty() && before.substr(at + name.size()).ltrim(" \t").startswith("="))
+        return SourceRange{ctx.source().id(), uint32_t(at), uint32_t(at + name.size())};
+    }
+    return std::nullopt;
   }
 
   /// Key of a variable with a number after its letter.

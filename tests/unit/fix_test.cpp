@@ -101,6 +101,24 @@ size_t timesIn(llvm::StringRef part, const std::string &text) {
   return llvm::StringRef(text).count(part);
 }
 
+/// A finding in a called program is mended there, and not at the same place of the text that calls
+/// it.
+TEST(FixPromises, AFixIsInTheFileOfItsFinding) {
+  const std::vector<ProgramFile> files = {
+      {"O0001.nc", "%\nO0001 (PLATE)\nG21 G90 G54\nT1 M06\nG00 X20. Y20. S900 M03\n"
+                   "G43 H1 Z5. M08\nM98 P1000\nG00 Z50. M09\nM30\n%\n"},
+      {"O1000.nc", "%\nO1000\nG00 X-75 Y-75 Z5.\nG01 Z-1. F100\nX75.\nM99\n%\n"}};
+  withProgram("fanuc-mill", files, "", [](Project &project, FileUnit &unit) {
+    const AnalysisResult result = analyze(project, unit, RuleSelection::defaults(*unit.dialect));
+    for (const Finding &finding : result.findings) {
+      if (!finding.fix)
+        continue;
+      for (const TextEdit &edit : finding.fix->edits)
+        EXPECT_EQ(finding.range.file, edit.range.file) << finding.message;
+    }
+  });
+}
+
 TEST(FixPromises, OfTwoValuesOfAnAddressNoneIsDeleted) {
   Session session = sessionOf("fanuc-0m", {"block-duplicate-address"});
   const std::string feeds = "O1\nG1 X1. F.00 F.0086\nM30\n",

@@ -9,11 +9,12 @@ namespace {
 
 /// What is found in a program in `programs/`, beside an INI file of this text in the folder
 /// above.
-std::vector<CheckedFinding> findingsBeside(const std::string &ini, const std::string &text) {
+std::vector<CheckedFinding> findingsBeside(const std::string &ini, const std::string &text,
+                                           const std::string &where = "programs") {
   test::TemporaryFolder folder;
-  std::filesystem::create_directories(folder.path() / "programs");
+  std::filesystem::create_directories(folder.path() / where);
   std::ofstream((folder.path() / "machine.ini").string()) << ini;
-  const std::string file = (folder.path() / "programs" / "part.ngc").string();
+  const std::string file = (folder.path() / where / "part.ngc").string();
   std::ofstream(file) << text;
   SessionOptions options;
   options.dialect = "linuxcnc";
@@ -38,12 +39,20 @@ std::vector<std::string> unknownBeside(const std::string &ini, const std::string
 }
 
 /// The errors and warnings.
-std::vector<std::string> foundBeside(const std::string &ini, const std::string &text) {
+std::vector<std::string> gravestOf(const std::vector<CheckedFinding> &findings) {
   std::vector<std::string> messages;
-  for (const CheckedFinding &found : findingsBeside(ini, text))
+  for (const CheckedFinding &found : findings)
     if (found.finding.severity != Severity::Style)
       messages.push_back(found.finding.message);
   return messages;
+}
+
+std::vector<std::string> foundBeside(const std::string &ini, const std::string &text) {
+  return gravestOf(findingsBeside(ini, text));
+}
+
+std::vector<std::string> foundIn(const std::string &folder, const std::string &text) {
+  return gravestOf(findingsBeside("", text, folder));
 }
 
 const char *const program = "G21 G90\nM428 P1\nG88.1 X3\nM2\n";
@@ -66,6 +75,11 @@ TEST(Remaps, CodesOfLinesThatAreOutOfUseStayUnknown) {
 TEST(Remaps, ACodeOfTheIniFileTakesTheAxisWordsThatItNames) {
   const std::string ini = "REMAP=G88.1 modalgroup=1 argspec=XYZP ngc=bore\n";
   EXPECT_EQ((std::vector<std::string>{}), foundBeside(ini, "F60 S2000 M3\nG88.1 X0 Y2\nM2\n"));
+}
+
+TEST(Remaps, AProgramAmongRemapsIsForAMachineThatMakesCodes) {
+  EXPECT_EQ(1u, foundIn("programs", "G21 G90\nM428 P1\nM2\n").size());
+  EXPECT_EQ(0u, foundIn("remap_subs", "G21 G90\nM428 P1\nM2\n").size());
 }
 
 } // namespace
