@@ -183,22 +183,39 @@ std::vector<const Problem *> withAllOfTheirRules(llvm::ArrayRef<const Problem *>
   return all;
 }
 
-/// What mends a finding comes before what silences one.
-void actionsOfFindings(View &view, Session &session,
-                       const std::shared_ptr<const CheckResult> &result, FixVerdicts &verdicts,
-                       const Json &asked, std::pair<uint32_t, uint32_t> range, Json &actions) {
+/// The problems of a check in a range of the document.
+std::vector<const Problem *> problemsIn(const CheckResult &result, const std::string &path,
+                                        std::pair<uint32_t, uint32_t> range) {
   std::vector<const Problem *> problems;
-  for (const Problem &problem : result->problems)
-    if (problem.path == view.document.path && problem.begin <= range.second &&
-        problem.end >= range.first)
+  for (const Problem &problem : result.problems)
+    if (problem.path == path && problem.begin <= range.second && problem.end >= range.first)
       problems.push_back(&problem);
-  if (wants(asked, "quickfix")) {
-    verdicts.decide(view, session, result, withAllOfTheirRules(problems, *result));
+  return problems;
+}
+
+/// What mends a finding comes before what silences one. Of what the check of a caller has found
+/// here no fix is offered: the fixes of a file are those of its own check.
+void actionsOfFindings(View &view, Session &session,
+                       llvm::ArrayRef<std::shared_ptr<const CheckResult>> results,
+                       FixVerdicts &verdicts, const Json &asked,
+                       std::pair<uint32_t, uint32_t> range, Json &actions) {
+  const std::shared_ptr<const CheckResult> &own = results.front();
+  std::vector<const Problem *> problems = problemsIn(*own, view.document.path, range);
+  const bool mends = wants(asked, "quickfix");
+  if (mends) {
+    verdicts.decide(view, session, own, withAllOfTheirRules(problems, *own));
     for (const Problem *problem : problems)
-      fixesOfFinding(*problem, *result, view, verdicts, actions);
+      fixesOfFinding(*problem, *own, view, verdicts, actions);
+  }
+  for (const auto &result : results.drop_front())
+    for (const Problem *problem : problemsIn(*result, view.document.path, range))
+      if (llvm::none_of(problems, [&](const Problem *known) {
+            return known->rule == problem->rule && known->begin == problem->begin;
+          }))
+        problems.push_back(problem);
+  if (mends)
     for (const Problem *problem : problems)
       suppressions(*problem, view, actions);
-  }
   if (wants(asked, "source.explain.ncvet"))
     for (const Problem *problem : problems)
       actions.push_back(explanation(allRules()[problem->rule].info, view));
@@ -212,7 +229,9 @@ Json actionsAt(Context &context, View &view, Session &session, FixVerdicts &verd
     return actions;
   const auto [begin, end] = view.range(params);
   const Json &asked = params.at("context");
-  actionsOfFindings(view, session, result, verdicts, asked, {begin, end}, actions);
+  std::vector<std::shared_ptr<const CheckResult>> results{result};
+  llvm::append_range(results, context.problems.othersThatTellOf(view.document.path));
+  actionsOfFindings(view, session, results, verdicts, asked, {begin, end}, actions);
   if (begin < end)
     rewritingsOf(
         view, begin, end, [&](llvm::StringRef kind) { return wants(asked, kind); },

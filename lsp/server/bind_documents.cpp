@@ -63,6 +63,7 @@ void close(Context &context, const Json &params) {
   const std::string path = document->path;
   const std::vector<std::string> users = context.problems.usersOf(path);
   context.documents.close(uri);
+  context.checks->use(context.documents.overlay());
   context.forget(path);
   for (const std::string &user : users)
     for (const auto &[otherUri, other] : context.documents.all())

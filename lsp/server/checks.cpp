@@ -123,6 +123,7 @@ Checks::Clock::duration Checks::delayAfter(double seconds) {
 void Checks::schedule(CheckJob job) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    overlay_ = job.overlay;
     const std::string &path = job.document.path;
     const size_t before = waiting_.size();
     waiting_.remove_if([&](const Waiting &other) { return other.job.document.path == path; });
@@ -191,11 +192,37 @@ std::optional<Checks::Clock::time_point> Checks::nextDue() const {
   return due;
 }
 
+void Checks::use(std::shared_ptr<const SourceSet::Overlay> overlay) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  overlay_ = std::move(overlay);
+}
+
+bool Checks::isOutdated(const CheckJob &job, const CheckResult &result) const {
+  return job.overlay != overlay_ && llvm::any_of(result.files, [&](const auto &file) {
+           const auto open = overlay_->find(file.first);
+           const bool isOpen = open != overlay_->end();
+           return file.first != job.document.path &&
+                  file.second != (isOpen ? open->second : nullptr);
+         });
+}
+
+/// Makes a check anew when another text than it has seen came meanwhile, and nobody has seen to
+/// that. The lock is held.
+void Checks::again(CheckJob job, const std::shared_ptr<const CheckResult> &result) {
+  const std::string &path = job.document.path;
+  const auto last = results_.find(path);
+  const bool isWaiting =
+      llvm::any_of(waiting_, [&](const Waiting &other) { return other.job.document.path == path; });
+  if (last != results_.end() && last->second == result && !isWaiting && isOutdated(job, *result))
+    waiting_.push_back({std::move(job), Clock::now()});
+}
+
 void Checks::runNext(std::unique_lock<std::mutex> &lock) {
   const auto next =
       std::min_element(waiting_.begin(), waiting_.end(),
                        [](const Waiting &a, const Waiting &b) { return a.due < b.due; });
-  const CheckJob job = std::move(next->job);
+  CheckJob job = std::move(next->job);
+  job.overlay = overlay_;
   waiting_.erase(next);
   running_ = job.document.path;
   runningText_ = job.document.text.bytes;
@@ -216,11 +243,12 @@ void Checks::runNext(std::unique_lock<std::mutex> &lock) {
   if (result && !stale) {
     results_[job.document.path] = result;
     lock.unlock();
-    done_(std::move(result));
+    done_(result);
     prepareNext(job, *job.document.memory);
     if (++untrimmed_ % checksBetweenTrims == 0)
       system::giveBackFreeMemory();
     lock.lock();
+    again(std::move(job), result);
   }
   changed_.notify_all();
 }

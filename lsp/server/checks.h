@@ -72,6 +72,9 @@ public:
   ~Checks();
 
   void schedule(CheckJob job);
+  /// The editor has these texts now: checks that have looked at other ones meanwhile are made
+  /// again.
+  void use(std::shared_ptr<const SourceSet::Overlay> overlay);
   /// The document is closed.
   void drop(const std::string &path);
   /// Waits for the check of this text, which has been scheduled; null when a newer one took its
@@ -92,6 +95,9 @@ private:
     Clock::time_point due;
   };
   void run();
+  /// Whether a file that the check looked at has another text by now. The lock is held.
+  bool isOutdated(const CheckJob &job, const CheckResult &result) const;
+  void again(CheckJob job, const std::shared_ptr<const CheckResult> &result);
   /// When the next check may begin; none: nothing waits. The lock is held.
   std::optional<Clock::time_point> nextDue() const;
   /// Does the check that is due first. The lock is held before and after, not meanwhile.
@@ -102,6 +108,7 @@ private:
   std::mutex mutex_;
   std::condition_variable changed_;
   std::list<Waiting> waiting_;
+  std::shared_ptr<const SourceSet::Overlay> overlay_; ///< the last one
   std::string running_; ///< path of the document that is being checked; empty: none
   std::shared_ptr<const std::string> runningText_;
   std::atomic<bool> cancel_ = false;

@@ -105,6 +105,18 @@ std::string ProblemBoard::diagnostics(const std::string &path) {
   return collect(path);
 }
 
+std::vector<std::shared_ptr<const CheckResult>>
+ProblemBoard::othersThatTellOf(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<std::shared_ptr<const CheckResult>> others;
+  for (const auto &[checked, result] : results_)
+    if (const auto file = result->files.find(path);
+        checked != path && file != result->files.end() && isPresent(path, file->second) &&
+        llvm::any_of(result->problems, [&](const Problem &one) { return one.path == path; }))
+      others.push_back(result);
+  return others;
+}
+
 std::vector<std::string> ProblemBoard::relatedTo(const std::string &path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::set<std::string> files;

@@ -30,6 +30,8 @@ public:
   void take(std::shared_ptr<const CheckResult> result);
   /// The diagnostics of a file, a list as JSON.
   std::string diagnostics(const std::string &path);
+  /// Results of other documents' checks that count and tell of problems in the file.
+  std::vector<std::shared_ptr<const CheckResult>> othersThatTellOf(const std::string &path);
   /// Files other than `path` itself in which its check found problems.
   std::vector<std::string> relatedTo(const std::string &path);
   /// Open documents whose check looked at the file.

@@ -48,6 +48,28 @@ protected:
   std::string main, called;
 };
 
+TEST_F(CallingPrograms, AFileThatIsOpenedWhileItsCallerIsCheckedKeepsTheCallersFindings) {
+  const std::string caller = "O1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 H01 Z50.\nG81 X1. Y1. "
+                             "Z-5. R2. F100.\nM98 P2\nG80\nM30\n",
+                    sub = "O2\nX2.\nT2 M06\nM99\n";
+  shop.file("O0001.nc", caller).file("O0002.nc", sub);
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  client.open(main, caller); // as an editor that opens again what was open when it was left
+  client.open(called, sub);
+  const std::vector<std::string> due{"3 cycle-left-active"};
+  Json told = client.diagnostics(called);
+  for (int i = 0; i < 3 && codes(told) != due; ++i)
+    told = client.diagnostics(called);
+  ASSERT_EQ(codes(told), due);
+  // It can be silenced here.
+  const Json actions =
+      client.request("textDocument/codeAction", {{"textDocument", documentOf(called)},
+                                                 {"range", told[0]["range"]},
+                                                 {"context", {{"diagnostics", {told[0]}}}}});
+  EXPECT_EQ(actions[0]["title"], "Allow cycle-left-active here");
+}
+
 TEST_F(CallingPrograms, FindingsOfAClosedFileArePublished) {
   LanguageClient client;
   client.initialize(pulling, {{"dialect", "haas-mill"}});
