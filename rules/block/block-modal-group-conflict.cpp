@@ -65,8 +65,10 @@ public:
         return;
       if (auto finding = ctx.report(event)) {
         finding.message(why, ctx.text(first), ctx.text(*event.word));
-        finding.note(ctx.range(first), "the first of the two")
-            .fix(FixSafety::Unsafe, "delete the first of the two codes", ctx.remove(first));
+        finding.note(ctx.range(first), "the first of the two");
+        // `G91 G28 Z0 G90`: without its first code the block goes to another place.
+        if (!decidesPlaces(other, ctx))
+          finding.fix(FixSafety::Unsafe, "delete the first of the two codes", ctx.remove(first));
       }
       return;
     }
@@ -74,6 +76,12 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-modal-group-conflict"};
+
+  /// The code says how the axis words of its block count.
+  static bool decidesPlaces(const CodeInfo &code, const RuleContext &ctx) {
+    return (code.action == Action::Absolute || code.action == Action::Incremental) &&
+           ctx.block().hasAny(ctx.dialect().axisWords);
+  }
 
   /// Whether a code between the two has told of the group already: `M3 M4 M5` has one cause.
   bool isTold(const CodeUse &first, const Event &event, const RuleContext &ctx) const {

@@ -181,7 +181,7 @@ private:
 
   void zeroMove(const Event &event, RuleContext &ctx) const {
     // A control that looks past blocks without a move looks past this one as well.
-    if (allowed_ > 1 || ctx.before().compensation != phaseOn ||
+    if (allowed_ > 1 || (!zeroMoves_ && !ctx.asked()) || ctx.before().compensation != phaseOn ||
         ctx.after().compensation != phaseOn || outlivesTool(ctx.after()) ||
         !ctx.block().issues.empty())
       return;

@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "formats/text/number_text.h"
 #include "interp/value/units.h"
 
 namespace ncvet {
@@ -73,7 +74,7 @@ public:
         !memory().once.speaks(state.originOf(ctx.dialect(), StandardGroup::FeedMode), ctx))
       return;
     const std::string written =
-        carried ? formatted("F{0}", value.value()) : ctx.text(*event.word).str();
+        carried ? "F" + shortNumber(value.value()) : ctx.text(*event.word).str();
     if (auto finding = ctx.report(event))
       finding
           .message("`{0}` under `{1}` is a feed per {2}: its size is that of a feed per {3}",

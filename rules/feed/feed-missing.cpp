@@ -105,9 +105,10 @@ private:
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding.severity(Severity::Warning)
-          .message("`{0}` cuts with the lead of the thread as its feed: no other feed was "
-                   "programmed",
-                   code.name)
+          .message(
+              "`{0}` cuts with the lead of the thread as its feed: no feed was programmed after "
+              "it",
+              code.name)
           .note(lead, "the lead is given here");
   }
 

@@ -22,10 +22,12 @@ public:
     if (!negative && isReplaced(ctx))
       return;
     if (auto finding = ctx.report(event, event.certain))
-      finding.message("`{0}`: {1}", ctx.text(*event.word),
-                      negative
-                          ? "a feed is above zero; the control stops with an alarm"
-                          : "the axes do not move with a feed of zero, the tool rubs in the cut");
+      finding.message(
+          "`{0}`: {1}", ctx.text(*event.word),
+          negative
+              ? "a feed is above zero; the control stops with an alarm"
+              : "the axes do not move with a feed of zero: the program waits, or stops with an "
+                "alarm");
   }
 
 private:

@@ -30,7 +30,9 @@ public:
     case SyntaxIssueKind::UnclosedComment:
       if (auto finding = ctx.report(range))
         finding
-            .text("the comment is not closed in its block: the control reads it into the next one")
+            .text(nestedStops_ ? "the comment is not closed in its line: the interpreter stops here"
+                               : "the comment is not closed in its block: the control reads it "
+                                 "into the next one")
             .fix(FixSafety::Unsafe, "close the comment at the end of the block",
                  ctx.insertBefore(issue.end, ctx.text(range).startswith("{") ? "}" : ")"));
       return;
