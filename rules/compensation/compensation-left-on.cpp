@@ -194,7 +194,9 @@ private:
       finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);
       describe(finding, ctx);
       const std::string off = compensationOffCode(ctx.dialect(), ctx.after());
-      if (event.kind != EventKind::ToolChange && event.kind != EventKind::OffsetWord)
+      // At the end no move comes that would take the offset away.
+      if (event.kind != EventKind::ToolChange && event.kind != EventKind::OffsetWord &&
+          event.kind != EventKind::ProgramEnd && event.kind != EventKind::Return)
         finding.fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                     ctx.insertBlockBefore(off));
     }

@@ -92,7 +92,7 @@ public:
                    state.may(Fact::SpindleStated) ? "is stopped" : "was never started",
                    perRevolution ? ": with feed per revolution the machine waits for ever"
                                  : ": the tool breaks at the first contact")
-          .note(origin, "the spindle is stopped here");
+          .note(state.may(Fact::SpindleStated) ? origin : Origin(), "the spindle is stopped here");
     }
   }
 
