@@ -231,8 +231,11 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   Finding one = toldForAll(*fold, wrong);
   const uint64_t blocks =
       fold->other.hasTable ? origin.blocks : std::max(origin.blocks, filledLines(source.text()));
-  one.message = formatted("{0} of {1} blocks {2}; the first: {3}", fold->lines,
-                          std::max(blocks, fold->lines), causeOf(*fold, wrong), one.message);
+  // Whose code it is the cause says.
+  const bool same = !fold->other.name.empty() && idOf(one) == "block-foreign-dialect-code";
+  one.message =
+      formatted("{0} of {1} blocks {2}{3}{4}", fold->lines, std::max(blocks, fold->lines),
+                causeOf(*fold, wrong), same ? "" : "; the first: ", same ? "" : one.message);
   one.fix.reset();
   llvm::erase_if(findings, [&](const Finding &finding) {
     const bool goes = fold->all ? !(fold->other.hasTable && isWrongEverywhere(idOf(finding)))

@@ -72,10 +72,15 @@ private:
     if (!lacksAction(ctx, issue))
       return;
     const SourceRange range = ctx.range(issue);
+    llvm::StringRef rest = ctx.source().text(range.end, ctx.block().end);
+    const bool has = rest.ltrim().consume_front_insensitive("DO");
     if (auto finding = ctx.report(range))
-      finding.message("`{0}` needs `DO` and what to do then, and its block has none: the control "
-                      "stops with an alarm",
-                      ctx.source().displayText(ctx.text(range)));
+      finding.message(
+          has ? "`{0}` has a `DO` without an action after it: the control stops with an "
+                "alarm"
+              : "`{0}` needs `DO` and what to do then, and its block has none: the "
+                "control stops with an alarm",
+          ctx.source().displayText(ctx.text(range)));
   }
 
   /// `AX[FIRST]=20`: an axis whose name a variable holds.

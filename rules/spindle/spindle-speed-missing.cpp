@@ -75,6 +75,9 @@ private:
       return;
     const CodeInfo &code = ctx.code(event);
     const bool starts = code.action == Action::SpindleCw || code.action == Action::SpindleCcw;
+    // Beside its opposite it is told as a conflict.
+    if (starts && ctx.find({Action::SpindleCw}) && ctx.find({Action::SpindleCcw}))
+      return;
     if (ctx.after().must(Fact::SpeedSet)) {
       // An S0 of an earlier block; in the same block the S itself is reported.
       if (starts && ctx.after().speed->hi <= 0 && !ctx.block().has(letterAddress('S')))

@@ -50,7 +50,7 @@ public:
       return;
     const SourceRange range = ctx.range(issue);
     if (auto finding = ctx.report(range))
-      finding.message(what, ctx.source().displayText(ctx.text(range)));
+      finding.message(what, ctx.source().displayText(ctx.text(range).rtrim()));
   }
 
 private:
@@ -131,6 +131,8 @@ private:
     if (ctx.dialect().lexical.commaSeparates &&
         ctx.text(ctx.range(issue)).startswith_insensitive("STEP"))
       return "`{0}`: FOR counts by 1 and has no step; WHILE counts by any";
+    if (const char *const lacks = ofDefinition(issue, ctx))
+      return lacks;
     if (isPartedEnd(issue, ctx))
       return "`{0}` is one word: the control finds no end of the structure in two";
     if (!ctx.text(ctx.range(issue)).equals_insensitive("THEN"))
@@ -138,6 +140,19 @@ private:
     return tellsOfIf(ctx) ? "`{0}` without a statement after it: this control has no IF of several "
                             "blocks, nor ELSE and ENDIF"
                           : nullptr;
+  }
+
+  /// `DEF`, `PROC` alone; `PROC NAME SBLOF (..)`.
+  static const char *ofDefinition(const SyntaxIssue &issue, const RuleContext &ctx) {
+    const llvm::StringRef text = ctx.text(ctx.range(issue)).rtrim();
+    if (text.equals_insensitive("DEF"))
+      return "`{0}` has no type and no name after it: the control stops with an alarm";
+    if (text.equals_insensitive("PROC"))
+      return "`{0}` has no name after it: the control stops with an alarm";
+    const bool list = text == "(" && llvm::any_of(ctx.block().items, [](const Item &item) {
+                        return item.kind == ItemKind::Parameters;
+                      });
+    return list ? "`{0}`: the parameters of a program come before its attributes" : nullptr;
   }
 
   const char *ofWord(const SyntaxIssue &issue, const RuleContext &ctx) const {
