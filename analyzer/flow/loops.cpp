@@ -177,7 +177,7 @@ void Loops::loop(Step &step) {
     run_.fork(activation, step.flowRange());
     activation.heads[step.at].abstract = true;
     Live body = step.live;
-    body.path = run_.lengthen(body.path, PathNode::Kind::Jump, step.flowRange());
+    body.path = run_.lengthen(body.path, PathNode::Kind::Holds, step.flowRange());
     activation.add(step.block.next, std::move(body));
   }
   activation.add(past->second, std::move(step.live));

@@ -7,6 +7,11 @@ namespace ncvet {
 
 namespace {
 
+constexpr WaysTold whenHolds{PathNode::Kind::Holds, PathNode::Kind::NoJump},
+    whileFails{PathNode::Kind::NoJump, PathNode::Kind::Holds},
+    whileCounts{PathNode::Kind::LoopRuns, PathNode::Kind::LoopEnded},
+    whenCounted{PathNode::Kind::LoopEnded, PathNode::Kind::LoopRuns};
+
 uint32_t partner(const llvm::DenseMap<uint32_t, uint32_t> &partners, uint32_t at) {
   const auto found = partners.find(at);
   return found == partners.end() ? ~0u : found->second;
@@ -70,8 +75,9 @@ void Structures::mismatch(Step &step, const Item &item) {
   step.goOn();
 }
 
-/// `condition` leads to the next block, else to `other`; an unknown one to both.
-void Structures::decide(Step &step, Truth condition, uint32_t other, bool loops) {
+/// `condition` leads to the next block, else to `other`; an unknown one to both, which are told as
+/// `told` says.
+void Structures::decide(Step &step, Truth condition, uint32_t other, bool loops, WaysTold told) {
   if (condition == Truth::Yes)
     return step.goOn();
   const SourceRange where = step.flowRange();
@@ -79,9 +85,9 @@ void Structures::decide(Step &step, Truth condition, uint32_t other, bool loops)
   if (condition == Truth::Unknown) {
     run_.fork(step.activation, where);
     Live body = live;
-    body.path = run_.lengthen(live.path, PathNode::Kind::NoJump, where);
+    body.path = run_.lengthen(live.path, told.next, where);
     step.activation.add(step.block.next, std::move(body));
-    live.path = run_.lengthen(live.path, PathNode::Kind::Jump, where);
+    live.path = run_.lengthen(live.path, told.other, where);
     if (loops)
       step.activation.heads[other].abstract = true;
   }
@@ -115,10 +121,10 @@ void Structures::whileHead(Step &step, const Item &item, const Partners &to) {
   const Truth condition = step.outcome.flow.condition;
   const bool isFor = item.structure == Structure::For;
   if (!isFor && to.past == ~0u)
-    return decide(step, opposite(condition), to.back, true);
+    return decide(step, opposite(condition), to.back, true, whileFails);
   if (condition == Truth::Unknown)
     step.activation.heads[isFor ? step.block.next : step.at].abstract = true;
-  decide(step, condition, to.past, false);
+  decide(step, condition, to.past, false, isFor ? whileCounts : whenHolds);
 }
 
 /// The end of a loop that its head counts.
@@ -130,7 +136,7 @@ void Structures::countedEnd(Step &step, uint32_t headAt,
   if (again == Truth::Unknown)
     step.activation.heads[head.next].abstract = true;
   // (the condition of `decide` leads on)
-  decide(step, opposite(again), head.next, true);
+  decide(step, opposite(again), head.next, true, whenCounted);
 }
 
 void Structures::subprogramEnd(Step &step) {
@@ -153,11 +159,11 @@ void Structures::bracket(Step &step) {
   const Truth condition = step.outcome.flow.condition;
   switch (item.structure) {
   case Structure::If:
-    return decide(step, condition, to.past, false);
+    return decide(step, condition, to.past, false, whenHolds);
   case Structure::ElseIf: // reached from the branch before it: the chain is done
     if (!step.before.seeksBranch)
       return loops_.goTo(step, to.out, std::move(step.live), true);
-    return decide(step, condition, to.past, false);
+    return decide(step, condition, to.past, false, whenHolds);
   case Structure::Sub:
   case Structure::Else:
     return loops_.goTo(step, to.past, std::move(step.live), true);
@@ -170,7 +176,7 @@ void Structures::bracket(Step &step) {
   case Structure::Times:
     if (condition == Truth::Unknown)
       step.activation.heads[step.block.next].abstract = true;
-    return decide(step, condition, to.past, false);
+    return decide(step, condition, to.past, false, whileCounts);
   case Structure::EndTimes:
     return countedEnd(step, to.back, countDown);
   case Structure::EndFor:
@@ -183,7 +189,7 @@ void Structures::bracket(Step &step) {
     return loops_.backTo(step, to.back, std::move(step.live),
                          !step.activation.heads[to.back].abstract);
   case Structure::Until:
-    return decide(step, condition, to.back, true);
+    return decide(step, condition, to.back, true, whenHolds);
   case Structure::EndIf:
   case Structure::Loop:
   case Structure::Repeat:

@@ -5,6 +5,11 @@
 
 namespace ncvet {
 
+/// How the ways from a bracket to the next block and to another one are told.
+struct WaysTold {
+  PathNode::Kind next, other;
+};
+
 /// Carries out one bracket at a time: which block follows it.
 class Structures {
 public:
@@ -21,7 +26,7 @@ private:
   };
   void mismatch(Step &step, const Item &item);
   void passed(const Step &step, const FlowShape &shape, uint32_t to);
-  void decide(Step &step, Truth condition, uint32_t other, bool loops);
+  void decide(Step &step, Truth condition, uint32_t other, bool loops, WaysTold told);
   void whileHead(Step &step, const Item &item, const Partners &to);
   void countedEnd(Step &step, uint32_t headAt, Truth (*count)(const Block &, MachineState &));
   void subprogramEnd(Step &step);

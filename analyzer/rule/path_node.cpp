@@ -19,8 +19,14 @@ std::string describe(const PathNode &node) {
     return "after this block the modal call runs its program";
   case PathNode::Kind::Jump:
     return "when this jump is taken";
+  case PathNode::Kind::Holds:
+    return "when this condition holds";
   case PathNode::Kind::NoJump:
     return "when this condition does not hold";
+  case PathNode::Kind::LoopRuns:
+    return "when this loop runs";
+  case PathNode::Kind::LoopEnded:
+    return "when this loop has ended";
   case PathNode::Kind::Skip:
     return "when block skip is on";
   case PathNode::Kind::LoopPass:
@@ -60,10 +66,12 @@ std::vector<PathStep> stepsOf(const PathNode *path) {
     nodes.push_back(node);
   std::vector<PathStep> steps;
   std::vector<PathNode::Kind> kinds;
-  // A loop that is run for real takes the same jump in every pass: said once, it explains as much.
+  // A loop that is run for real takes the same way in every pass: said once, it explains as much.
+  static constexpr PathNode::Kind repeatedKinds[] = {PathNode::Kind::Jump, PathNode::Kind::Holds,
+                                                     PathNode::Kind::LoopRuns};
   std::set<std::pair<FileId, uint32_t>> jumps;
   for (const PathNode *node : llvm::reverse(nodes))
-    if (node->kind != PathNode::Kind::Jump ||
+    if (!llvm::is_contained(repeatedKinds, node->kind) ||
         jumps.insert({node->range.file, node->range.begin}).second) {
       steps.push_back({node->range, describe(*node)});
       kinds.push_back(node->kind);

@@ -9,7 +9,17 @@ namespace ncvet {
 
 /// A step of the path to a block; a list that grows at its head and is shared by all states.
 struct PathNode {
-  enum class Kind : uint8_t { Call, ModalCall, Jump, NoJump, Skip, LoopPass } kind;
+  enum class Kind : uint8_t {
+    Call,
+    ModalCall,
+    Jump,      ///< to its target
+    Holds,     ///< a condition, which leads into a body or out of a loop
+    NoJump,    ///< a condition that does not hold
+    LoopRuns,  ///< a loop that is counted: another pass
+    LoopEnded, ///< its last pass is over
+    Skip,
+    LoopPass
+  } kind;
   SourceRange range;
   int64_t number = 0;
   unsigned length = 1;

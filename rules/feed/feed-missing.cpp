@@ -64,10 +64,13 @@ public:
         (hasBuilderCodes(ctx) && namesNoFeed(ctx)))
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
-    if (auto finding = ctx.report(event, certain))
-      finding.message("`{0}` cuts, but no feed was programmed", code.name)
-          .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
-                "`" + code.name + "` becomes active here");
+    auto finding = ctx.report(event, certain);
+    if (!finding)
+      return;
+    finding.message("`{0}` cuts, but no feed was programmed", code.name);
+    if (event.kind == EventKind::Motion && !ctx.find({code.action}))
+      finding.note(ctx.after().originOf(ctx.dialect(), StandardGroup::Motion),
+                   "`" + code.name + "` becomes active here");
   }
 
 private:
