@@ -17,8 +17,9 @@ namespace {
 struct CompensationLeftOnMemory {
   /// Last block of a profile (file, offset) → offset of its first, number of its last.
   std::map<std::pair<FileId, uint32_t>, std::pair<uint32_t, int64_t>> profiles;
-  bool retracted = false; ///< the tool was lifted at rapid while compensation was on
-  Origin told;            ///< where the compensation began that was reported last
+  bool retracted = false;             ///< the tool was lifted at rapid while compensation was on
+  Origin told;                        ///< where the compensation began that was reported last
+  std::pair<FileId, uint32_t> toldIn; ///< file and begin of the program that it was reported in
 };
 
 class CompensationLeftOn final : public StatefulRule<CompensationLeftOnMemory> {
@@ -181,15 +182,17 @@ private:
     return isIn(ctx, ctx.after().origin.of(StatePart::Compensation), program);
   }
 
-  /// Once for each compensation that begins: what comes after is of the same cause.
+  /// Once for each compensation and program: what comes after is of the same cause.
   void leftOn(const Event &event, const char *when, std::optional<Severity> severity,
               RuleContext &ctx) const {
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     const Origin &begin = ctx.after().origin.of(StatePart::Compensation);
-    if (active == Truth::No || !begin.known() || begin == memory().told ||
-        outlivesTool(ctx.before()))
+    const std::pair here{ctx.source().id(), ctx.index().programAt(ctx.block().begin).begin};
+    if (active == Truth::No || !begin.known() || outlivesTool(ctx.before()) ||
+        (begin == memory().told && here == memory().toldIn))
       return;
     memory().told = begin;
+    memory().toldIn = here;
     if (auto finding = ctx.report(event, active == Truth::Yes && event.certain)) {
       finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);
       describe(finding, ctx);
