@@ -388,7 +388,9 @@ private:
 
 /// Ends a rule's file: defines the factory that the generated table names. (Without `make_unique`:
 /// a pointer type for each rule is compiled for a second of each batch.)
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a type
 #define NCVET_RULE(Class, function)                                                                \
   std::unique_ptr<Rule> make_##function() { return std::unique_ptr<Rule>(new Class); }
+// NOLINTEND(bugprone-macro-parentheses)
 
 } // namespace ncvet
