@@ -32,11 +32,9 @@ endif()
 add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>")
 
 function(ncvet_warnings target)
-  # In a batch a local name may hide one of another file, which only g++ can leave out.
-  set(shadow -Wshadow)
-  if(NCVET_BATCHES)
-    set(shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
-  endif()
+  # In a batch a local name may hide one of another file, which only g++ can leave out. Without
+  # batches the same: what one preset takes all of them take.
+  set(shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion ${shadow} -Werror)
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # clang counts changes of sign among the conversions, g++ does not: indexes of Eigen have one.
