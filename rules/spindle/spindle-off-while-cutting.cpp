@@ -149,6 +149,21 @@ private:
            !ctx.after().inMachineCoordinates(Axis::Z);
   }
 
+  /// Whether one of the next blocks starts the spindle, before a cycle, another tool, or a move of
+  /// these axes.
+  static bool startsAhead(const RuleContext &ctx, unsigned furthest, uint16_t axes) {
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (findCode(ctx.dialect(), next, {Action::SpindleCw, Action::SpindleCcw}))
+        return true;
+      if (axesOf(ctx.dialect(), next) & axes ||
+          findCode(ctx.dialect(), next, {Action::Cycle, Action::ToolChange}))
+        return false;
+    }
+    return false;
+  }
+
   /// A mill: across to the first cut of the tool, at the height to which it came at rapid; the
   /// spindle is started before it goes down.
   static bool isInAir(const Event &event, const RuleContext &ctx) {
@@ -159,16 +174,7 @@ private:
     if (ctx.dialect().isLathe() || event.axes >> unsigned(tool) & 1 ||
         before.may(Fact::CutSinceTool) || (height.isConstant() && height.value() < 0))
       return false;
-    BlocksAhead ahead(ctx);
-    Block next;
-    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
-      if (findCode(ctx.dialect(), next, {Action::SpindleCw, Action::SpindleCcw}))
-        return true;
-      if (axesOf(ctx.dialect(), next) >> unsigned(tool) & 1 ||
-          findCode(ctx.dialect(), next, {Action::Cycle, Action::ToolChange}))
-        return false;
-    }
-    return false;
+    return startsAhead(ctx, furthest, uint16_t(1u << unsigned(tool)));
   }
 
   /// The cycle cuts with the spindle; without axis words a modal cycle sets modes only.
@@ -242,15 +248,7 @@ private:
     constexpr unsigned furthest = 8; // blocks
     if (state.spindle != spindleOriented)
       return false;
-    BlocksAhead ahead(ctx);
-    Block next;
-    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
-      if (findCode(ctx.dialect(), next, {Action::SpindleCw, Action::SpindleCcw}))
-        return true;
-      if (findCode(ctx.dialect(), next, {Action::ToolChange, Action::Cycle}))
-        return false;
-    }
-    return false;
+    return startsAhead(ctx, furthest, 0);
   }
 
   /// Between the tool and the cut the program stops: the spindle may be one that is switched by
