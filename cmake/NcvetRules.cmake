@@ -9,7 +9,7 @@ add_custom_command(
           -P ${CMAKE_SOURCE_DIR}/cmake/RuleTable.cmake
   DEPENDS ${rule_pages} ${CMAKE_SOURCE_DIR}/cmake/RuleTable.cmake
   VERBATIM)
-ncvet_batched(rule_batches ncvet_rules 20 ${rule_sources})
+ncvet_batched(rule_batches ncvet_rules 30 ${rule_sources})
 add_library(ncvet_rules STATIC ${rule_batches} ${rule_table})
 target_link_libraries(ncvet_rules PUBLIC ncvet_analyzer)
 ncvet_precompiled(ncvet_rules)

@@ -1,7 +1,6 @@
 // What checks of many files share.
 #pragma once
 
-#include "analyzer/flow/body_memos.h"
 #include "analyzer/flow/outer_calls.h"
 #include "analyzer/setup/session.h"
 
@@ -17,28 +16,9 @@ public:
   OuterCalls outer;
 
   /// The project for files with this setup.
-  Project &projectFor(const FileSetup &setup, SourceSet &sources) {
-    const auto known = llvm::find_if(shared_, [&](const Shared &one) {
-      return one.setup.dialect == setup.dialect && one.setup.machine == setup.machine &&
-             one.setup.config == setup.config && one.setup.folders == setup.folders;
-    });
-    if (known != shared_.end())
-      return *known->project;
-    if (shared_.size() == mostProjects)
-      shared_.pop_front();
-    shared_.push_back(
-        {setup, std::make_unique<Project>(sources, setup.dialect, *setup.machine,
-                                          setup.config->searchFolders, setup.folders)});
-    return *shared_.back().project;
-  }
+  Project &projectFor(const FileSetup &setup, SourceSet &sources);
   /// After a crash: what it leaves can be neither used nor given back.
-  void abandon() {
-    if (outer.bodies)
-      outer.bodies->abandon();
-    for (Shared &one : shared_)
-      static_cast<void>(one.project.release());
-    shared_.clear();
-  }
+  void abandon();
 
 private:
   /// Setups of one folder's files: the programs of a few controls.

@@ -10,12 +10,12 @@ namespace ncvet {
 namespace {
 
 /// Blocks after a call: modes are ended long before that.
-constexpr unsigned lookAhead = 60;
+constexpr unsigned mostBlocksAfter = 60;
 
 /// Whether the blocks that come end the mode before one relies on it.
 bool endsAfter(BlocksAhead ahead, llvm::function_ref<AfterCall(const Block &)> judge) {
   Block block;
-  for (unsigned i = 0; i < lookAhead; ++i) {
+  for (unsigned i = 0; i < mostBlocksAfter; ++i) {
     if (!ahead.next(block) || !block.items.empty())
       return false;
     const AfterCall after = judge(block);
@@ -35,7 +35,7 @@ bool beginsWithEnd(const FileIndex &index, const ProgramInfo &program,
   begin();
   Block block;
   index.read(program.body, block);
-  for (unsigned i = 0; i < lookAhead && block.items.empty(); ++i) {
+  for (unsigned i = 0; i < mostBlocksAfter && block.items.empty(); ++i) {
     const AfterCall after = block.isEmpty() ? AfterCall::GoesOn : judge(block);
     if (after != AfterCall::GoesOn || !readOn(index, block))
       return after == AfterCall::Ends && block.skip < 0;

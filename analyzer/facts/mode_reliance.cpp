@@ -8,7 +8,7 @@ namespace ncvet {
 namespace {
 
 /// Blocks looked at: modes are stated again or used long before that.
-constexpr unsigned lookAhead = 60;
+constexpr unsigned mostBlocksAhead = 60;
 
 void drop(ModeChanges &changes, const Dialect &dialect, StandardGroup group) {
   if (dialect.group(group) != noGroup)
@@ -93,7 +93,8 @@ ModeChanges firstReliance(const RuleContext &ctx, ModeChanges changes, SourceRan
   const Reader &reader = ctx.index().reader();
   Block block;
   uint32_t at = ctx.block().next;
-  for (unsigned i = 0; i < lookAhead && at < ctx.source().text().size() && changes.any(); ++i) {
+  for (unsigned i = 0; i < mostBlocksAhead && at < ctx.source().text().size() && changes.any();
+       ++i) {
     reader.read(at, block);
     if (block.next <= at || block.kind == BlockKind::ProgramHeader)
       break;

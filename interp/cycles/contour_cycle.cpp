@@ -17,10 +17,6 @@ std::optional<double> known(const std::optional<Interval> &value, double absent)
   return value->isConstant() ? std::optional(value->value()) : std::nullopt;
 }
 
-std::optional<double> known(const std::optional<Interval> &value) {
-  return value && value->isConstant() ? std::optional(value->value()) : std::nullopt;
-}
-
 bool worksAlongContour(CycleKind kind) { return turnsProfile(kind) || kind == CycleKind::Contour; }
 
 void readLevels(const ExecutedBlock &executed, const CycleParameters &words, ContourCycle &cycle) {

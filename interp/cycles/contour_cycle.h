@@ -10,6 +10,9 @@
 
 namespace ncvet {
 
+/// Of one cycle along a contour: no program is followed without end.
+constexpr size_t mostContourMoves = 200'000;
+
 /// A cycle with its contour still to come. Pairs are of X and Z, X of a lathe as a radius.
 struct ContourCycle {
   CycleKind kind = CycleKind::None;

@@ -5,8 +5,6 @@ namespace ncvet {
 
 namespace {
 
-constexpr size_t mostMoves = 200000; ///< of one cycle: no program is followed without end
-
 class ContourMilling {
 public:
   ContourMilling(const ContourCycle &cycle, llvm::function_ref<void(const Move &)> give)
@@ -26,7 +24,7 @@ public:
 
 private:
   void give(const Move &move) {
-    if (++given_ <= mostMoves)
+    if (++given_ <= mostContourMoves)
       give_(move);
   }
   /// Beside the contour, nobody knows where.

@@ -6,8 +6,8 @@
 namespace ncvet {
 
 namespace {
-constexpr unsigned mostLevels = 10000; ///< more are an error that rules report
-constexpr double tolerance = 1e-9;     ///< mm
+constexpr unsigned mostLevels = 10000;  ///< more are an error that rules report
+constexpr double levelTolerance = 1e-9; ///< mm
 } // namespace
 
 std::optional<Interval> approachLevel(const CycleParameters &parameters) {
@@ -31,11 +31,11 @@ llvm::SmallVector<Interval, 8> depthLevels(const CycleParameters &parameters) {
       known ? *bottom + rest * (bottom->value() < top.value() ? 1 : -1) : Interval::unknown();
   const auto step = parameters.length(Measure::Step);
   const auto by = step ? step : parameters.length(Measure::MostStep);
-  if (by && by->isConstant() && std::fabs(by->value()) > tolerance && top.isConstant() &&
+  if (by && by->isConstant() && std::fabs(by->value()) > levelTolerance && top.isConstant() &&
       last.isConstant()) {
     const double length = std::fabs(by->value()), way = std::fabs(last.value() - top.value());
     const double sign = last.value() < top.value() ? -1 : 1;
-    for (unsigned n = 1; n < mostLevels && n * length < way - tolerance; ++n)
+    for (unsigned n = 1; n < mostLevels && n * length < way - levelTolerance; ++n)
       list.push_back(step ? Interval::exactly(top.value() + sign * n * length)
                           : Interval::unknown());
   }

@@ -10,10 +10,9 @@ namespace ncvet {
 
 namespace {
 
-constexpr size_t ofZ = 0, ofX = 1;     ///< in points of the contour
-constexpr unsigned mostPasses = 10000; ///< more are an error that rules report
-constexpr size_t mostMoves = 200000;   ///< of one cycle: no program is followed without end
-constexpr double tolerance = 1e-7;     ///< mm
+constexpr size_t atZ = 0, atX = 1;         ///< in points of the contour
+constexpr unsigned mostPasses = 10000;     ///< more are an error that rules report
+constexpr double roughingTolerance = 1e-7; ///< mm
 
 using Give = llvm::function_ref<void(const Move &)>;
 
@@ -35,7 +34,7 @@ class Roughing {
 public:
   Roughing(const ContourCycle &cycle, llvm::ArrayRef<Move> contour, Give give)
       : cycle_(cycle), moves_(contour), at_(cycle.start), give_(give),
-        infeed_(cycle.kind == CycleKind::RoughFace ? ofZ : ofX), along_(1 - infeed_) {
+        infeed_(cycle.kind == CycleKind::RoughFace ? atZ : atX), along_(1 - infeed_) {
     at_.machineAxes = 0;
   }
 
@@ -59,11 +58,11 @@ private:
         sum[i] = *cycle_.rest[i] + *cycle_.last[i];
     return sum;
   }
-  static Axis axisOf(size_t index) { return index == ofZ ? Axis::Z : Axis::X; }
-  double lengthsOf(size_t index) const { return cycle_.lengths[index == ofZ ? 1 : 0]; }
+  static Axis axisOf(size_t index) { return index == atZ ? Axis::Z : Axis::X; }
+  double lengthsOf(size_t index) const { return cycle_.lengths[index == atZ ? 1 : 0]; }
 
   void give(const Move &move) {
-    if (++given_ <= mostMoves)
+    if (++given_ <= mostContourMoves)
       give_(move);
   }
   void go(MoveKind kind) {
@@ -77,8 +76,8 @@ private:
     at_.to[size_t(axisOf(index))] = Interval::exactly(value * lengthsOf(index));
   }
   void go(MoveKind kind, const Point &to) {
-    set(ofZ, to[ofZ]);
-    set(ofX, to[ofX]);
+    set(atZ, to[atZ]);
+    set(atX, to[atX]);
     go(kind);
   }
 
@@ -104,7 +103,7 @@ private:
   /// The whole contour from far to near.
   void repeat() {
     const double passes = cycle_.passes ? std::floor(*cycle_.passes) : 0;
-    for (double pass = 0; pass < passes && pass < mostPasses && given_ < mostMoves; ++pass) {
+    for (double pass = 0; pass < passes && pass < mostPasses && given_ < mostContourMoves; ++pass) {
       std::array<std::optional<double>, 2> by;
       for (size_t i = 0; i < 2; ++i)
         if (cycle_.rest[i] && cycle_.way[i])
@@ -128,16 +127,16 @@ private:
     TurnedContour contour(shape(), cycle_.lengths[0]);
     const Interval &x = cycle_.start.to[size_t(Axis::X)], &z = cycle_.start.to[size_t(Axis::Z)];
     if (!contour.known() || !contour.isSteady(along_) || !cycle_.depth ||
-        std::fabs(*cycle_.depth) < tolerance || !x.isConstant() || !z.isConstant())
+        std::fabs(*cycle_.depth) < roughingTolerance || !x.isConstant() || !z.isConstant())
       return;
     const auto by = total();
     const Point shift{*by[1], *by[0]};
     contour.shift(shift);
     contour_ = &contour;
-    start_ = {z.value() / lengthsOf(ofZ) + shift[ofZ], x.value() / lengthsOf(ofX) + shift[ofX]};
+    start_ = {z.value() / lengthsOf(atZ) + shift[atZ], x.value() / lengthsOf(atX) + shift[atX]};
     const double in = contour.first()[infeed_] - start_[infeed_];
     const double forward = contour.last()[along_] - contour.first()[along_];
-    if (std::fabs(in) < tolerance || std::fabs(forward) < tolerance)
+    if (std::fabs(in) < roughingTolerance || std::fabs(forward) < roughingTolerance)
       return;
     in_ = in < 0 ? -1 : 1;
     forward_ = forward < 0 ? -1 : 1;
@@ -146,7 +145,7 @@ private:
     const double step = std::fabs(*cycle_.depth);
     const double deepest = contour.farthest(infeed_, in_, contour.whole());
     double above = start_[infeed_];
-    for (unsigned pass = 0; pass < mostPasses && given_ < mostMoves; ++pass) {
+    for (unsigned pass = 0; pass < mostPasses && given_ < mostContourMoves; ++pass) {
       const double level = start_[infeed_] + in_ * step * (pass + 1);
       // What lies between this level and the one before is cut at its own depth.
       if (pass == 0)
@@ -154,7 +153,7 @@ private:
       else
         for (const auto &part : contour.beyond(infeed_, above, in_))
           bottoms(part, above, level);
-      if ((deepest - level) * in_ < -tolerance)
+      if ((deepest - level) * in_ < -roughingTolerance)
         break;
       for (const auto &part : contour.beyond(infeed_, level, in_))
         cut(part, level, above);
@@ -165,7 +164,7 @@ private:
   /// The bottom of a part that ends before the next level.
   void bottoms(const TurnedContour::Part &part, double above, double level) {
     const double bottom = contour_->farthest(infeed_, in_, part);
-    if ((bottom - above) * in_ <= tolerance || (bottom - level) * in_ > -tolerance)
+    if ((bottom - above) * in_ <= roughingTolerance || (bottom - level) * in_ > -roughingTolerance)
       return;
     for (const auto &piece : contour_->beyond(infeed_, bottom, in_, &part))
       cut(piece, bottom, above);
@@ -176,7 +175,7 @@ private:
     Point from = part.from, to = part.to;
     if (part.fromBegin)
       from[along_] = start_[along_];
-    if ((to[along_] - from[along_]) * forward_ <= tolerance)
+    if ((to[along_] - from[along_]) * forward_ <= roughingTolerance)
       return;
     from[infeed_] = to[infeed_] = level;
     const MoveKind in = moves_.front().kind == MoveKind::Rapid ? MoveKind::Rapid : MoveKind::Linear;
@@ -233,12 +232,12 @@ private:
     const auto pieces = contour_->pieces();
     for (size_t i = part.lastPiece; i < pieces.size(); ++i) {
       const ContourPiece &piece = pieces[i];
-      const bool leaves = (piece.to[infeed_] - above) * in_ <= tolerance;
-      const bool falls = (piece.to[infeed_] - at[infeed_]) * in_ > tolerance;
+      const bool leaves = (piece.to[infeed_] - above) * in_ <= roughingTolerance;
+      const bool falls = (piece.to[infeed_] - at[infeed_]) * in_ > roughingTolerance;
       if (falls)
         return at;
       Point end = leaves ? piece.at(infeed_, above) : piece.to;
-      if (distance(at, end) > tolerance)
+      if (distance(at, end) > roughingTolerance)
         alongPiece(piece, at, end);
       at = end;
       if (leaves)
@@ -247,16 +246,16 @@ private:
     return at;
   }
   void alongPiece(const ContourPiece &piece, const Point &from, const Point &to) {
-    set(ofZ, to[ofZ]);
-    set(ofX, to[ofX]);
+    set(atZ, to[atZ]);
+    set(atX, to[atX]);
     if (!piece.arc)
       return go(MoveKind::Linear);
     Move move = cycle_.feed;
     move.kind = MoveKind::Arc;
     move.to = at_.to;
     move.plane = {Axis::Z, Axis::X};
-    move.centre = {Interval::exactly(piece.centre[ofZ] * lengthsOf(ofZ)),
-                   Interval::exactly(piece.centre[ofX] * lengthsOf(ofX))};
+    move.centre = {Interval::exactly(piece.centre[atZ] * lengthsOf(atZ)),
+                   Interval::exactly(piece.centre[atX] * lengthsOf(atX))};
     move.clockwise = piece.clockwise;
     move.turns = Interval::exactly(turnsOverChord(distance(from, to), piece.radius));
     give(move);

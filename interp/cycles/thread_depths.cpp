@@ -9,9 +9,6 @@ namespace {
 constexpr unsigned mostThreadPasses = 10000; ///< more are an error that rules report
 constexpr double passTolerance = 1e-9;       ///< mm
 
-std::optional<double> known(const std::optional<Interval> &value) {
-  return value && value->isConstant() ? std::optional(value->value()) : std::nullopt;
-}
 } // namespace
 
 double knownOr(const CycleParameters &parameters, Measure what, double otherwise) {

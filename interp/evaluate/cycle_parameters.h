@@ -35,4 +35,9 @@ private:
   const CodeInfo &cycle_;
 };
 
+/// A parameter's one value; nothing where it is not programmed, or not known.
+inline std::optional<double> known(const std::optional<Interval> &value) {
+  return value && value->isConstant() ? std::optional(value->value()) : std::nullopt;
+}
+
 } // namespace ncvet

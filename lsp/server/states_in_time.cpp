@@ -8,7 +8,7 @@ namespace ncvet::lsp {
 namespace {
 
 /// What a user does not notice, beside the time that the answer takes by itself.
-constexpr std::chrono::milliseconds patience(30);
+constexpr std::chrono::milliseconds patienceForStates(30);
 /// Blocks of which states are kept: the mouse goes back and forth between a few.
 constexpr size_t mostKept = 8;
 
@@ -41,7 +41,7 @@ StatesInTime::States StatesInTime::at(const CheckJob &job, uint32_t offset,
       asked_.pop_back();
     worker_.post([this, asked] { follow(*asked); });
   }
-  done_.wait_for(lock, patience, [&] { return asked->isDone; });
+  done_.wait_for(lock, patienceForStates, [&] { return asked->isDone; });
   return asked->states;
 }
 

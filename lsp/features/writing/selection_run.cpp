@@ -71,7 +71,7 @@ public:
       note(step);
     keepStep(step, isSelected);
     if (step.outcome.flow.kind == FlowKind::End || step.outcome.flow.kind == FlowKind::Return) {
-      run_.ending = step.live.state;
+      run_.ending = std::make_shared<const MachineState>(step.live.state);
       run_.returns = step.outcome.flow.kind == FlowKind::Return;
     }
     return isChanged_ ? change(step, isSelected) : 0;

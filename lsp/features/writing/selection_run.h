@@ -5,12 +5,16 @@
 #include "analyzer/program/project.h"
 #include "analyzer/rule/analysis_limits.h"
 #include "interp/geometry/move.h"
-#include "interp/state/state.h"
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
+
+namespace ncvet {
+struct MachineState; // interp/state/state.h
+}
 
 namespace ncvet::lsp {
 
@@ -58,10 +62,11 @@ struct SelectionRun {
   /// The selected blocks in the order in which they were executed, a list for each time that the
   /// program came to the selection.
   std::vector<std::vector<SelectedStep>> visits;
-  bool visitsAreWhole = true;         ///< false: there were too many steps to be kept
-  std::optional<MachineState> ending; ///< after the block that ended the program
-  bool returns = false;               ///< … which goes back to a caller
-  bool isLost = false;                ///< something unknown decides how it goes on
+  bool visitsAreWhole = true; ///< false: there were too many steps to be kept
+  /// After the block that ended the program; null: none did.
+  std::shared_ptr<const MachineState> ending;
+  bool returns = false; ///< … which goes back to a caller
+  bool isLost = false;  ///< something unknown decides how it goes on
   bool isTooLong = false;
 };
 
