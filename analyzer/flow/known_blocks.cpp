@@ -44,6 +44,23 @@ void KnownBlocks::follow(Spelling *spelling) {
   last_ = spelling;
 }
 
+/// Reads the block at `offset`, where it is one that is expected: first by the forms of their
+/// lines, of which most are others by their first bytes.
+KnownBlocks::Spelling *KnownBlocks::readExpected(uint32_t offset, Block Spelling::*into) const {
+  const llvm::StringRef text = reader_.text();
+  const auto blockOf = [&](Spelling &spelling) -> Block & {
+    if (into == &Spelling::ahead && !std::exchange(spelling.hasAhead, true))
+      spelling.ahead = spelling.block;
+    return spelling.*into;
+  };
+  if (Spelling *const next = expect(
+          [&](Spelling &spelling) { return spelling.line.read(text, offset, blockOf(spelling)); }))
+    return next;
+  return expect([&](Spelling &spelling) {
+    return spelling.line.readOther(reader_, offset, free_, blockOf(spelling));
+  });
+}
+
 KnownBlocks::Spelling *KnownBlocks::read(uint32_t offset) {
   if (offset == peekedAt_) {
     if (peeked_) {
@@ -52,8 +69,7 @@ KnownBlocks::Spelling *KnownBlocks::read(uint32_t offset) {
     }
     return peeked_;
   }
-  Spelling *const next =
-      expect([&](Spelling &spelling) { return reader_.readAlike(offset, free_, spelling.block); });
+  Spelling *const next = readExpected(offset, &Spelling::block);
   if (next)
     follow(next);
   return next;
@@ -62,11 +78,7 @@ KnownBlocks::Spelling *KnownBlocks::read(uint32_t offset) {
 const Block *KnownBlocks::peek(uint32_t offset) {
   if (offset != peekedAt_) {
     peekedAt_ = offset;
-    peeked_ = expect([&](Spelling &spelling) {
-      if (!std::exchange(spelling.hasAhead, true))
-        spelling.ahead = spelling.block;
-      return reader_.readAlike(offset, free_, spelling.ahead);
-    });
+    peeked_ = readExpected(offset, &Spelling::ahead);
   }
   return peeked_ ? &peeked_->ahead : nullptr;
 }
@@ -81,6 +93,7 @@ KnownBlocks::Spelling &KnownBlocks::makeRoom(uint64_t number) {
   room.followers = {};
   room.refused = 0;
   room.hasAhead = false;
+  room.line.forget();
   return room;
 }
 

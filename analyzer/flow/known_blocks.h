@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/rule/text_ahead.h"
-#include "formats/readers/quick_reader.h"
+#include "formats/readers/spelled_line.h"
 #include "interp/execute/known_move.h"
 
 #include <memory>
@@ -20,6 +20,7 @@ public:
     uint64_t serial = 0; ///< another one when a further spelling takes the place of this one
     Block block;
     Block ahead;                           ///< another of them, read before it is its turn
+    SpelledLine line;                      ///< of such blocks
     bool isPattern = false;                ///< blocks can be read over `block`
     bool hasAhead = false;                 ///< `ahead` may be read over
     std::array<Spelling *, 8> followers{}; ///< of the blocks that came after such a one, the last
@@ -79,6 +80,7 @@ private:
         return follower;
     return nullptr;
   }
+  Spelling *readExpected(uint32_t offset, Block Spelling::*into) const;
   Spelling &makeRoom(uint64_t number);
   static size_t placeOf(const Spelling &spelling, uint64_t modes) {
     return size_t((spelling.number ^ modes) >> 32);

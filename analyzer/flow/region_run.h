@@ -5,7 +5,6 @@
 #include "analyzer/flow/known_blocks.h"
 #include "analyzer/reuse/run_recorder.h"
 #include "analyzer/reuse/run_replay.h"
-#include "formats/readers/quick_reader.h"
 #include "interp/execute/make_plain_move.h"
 
 #include <atomic>
@@ -43,6 +42,9 @@ private:
   void goOnOnce(Live &live);
   void tellOnce(Live &live);
   bool readOver();
+  bool readOne(uint32_t offset) {
+    return line_.readAlike(*quick_, offset, unit_.dialect->axisWords, *pattern_);
+  }
   bool nobodyIsTold() const;
   void goOnUntold(Live &live);
   bool makeUntold(MachineState &state);
@@ -195,6 +197,7 @@ private:
   const Block *block_ = &own_; ///< that is executed
   KeptBlock *kept_ = nullptr;  ///< the same, where it was read for an earlier execution
   Block *pattern_ = nullptr;   ///< the same, where another may be read over it
+  SpelledLine line_;           ///< of the blocks of a stretch
   Block own_;                  ///< where it is read when the run does not keep it
   Outcome *outcome_ = &ownOutcome_;
   Outcome ownOutcome_;                   ///< of a block of which it is not known

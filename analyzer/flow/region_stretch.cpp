@@ -29,6 +29,7 @@ bool RegionRun::goOnInStretch() {
   }
   if (!move_)
     return false;
+  line_.forget(); // the block before may be spelled in another way
   const uint32_t first = at_;
   while (pattern_ && !run_.stopped && mayGoOn() && !takeOver()) {
     if (!readOver())
@@ -47,7 +48,7 @@ bool RegionRun::goOnInStretch() {
 
 /// Reads the next block over the one before it, past lines that are empty; false: it is another.
 bool RegionRun::readOver() {
-  while (!quick_->readAlike(at_, unit_.dialect->axisWords, *pattern_))
+  while (!readOne(at_))
     if (!passEmptyLines() || !mayGoOn() || takeOver()) {
       pattern_ = nullptr;
       return false;
@@ -104,8 +105,7 @@ void RegionRun::goOnAtOnce(Live &live, uint32_t limit, bool wantStill) {
   bool isStill = false;
   const llvm::StringRef text = unit_.source.text();
   const char begin = text[block_->begin]; // by far the most others are told by it
-  while (made < most && end < limit && !isStill && text[end] == begin &&
-         quick_->readAlike(end, unit_.dialect->axisWords, *pattern_)) {
+  while (made < most && end < limit && !isStill && text[end] == begin && readOne(end)) {
     isStill = makeUntold(live.state) && wantStill;
     last = std::exchange(end, block_->next);
     activation_.lastEnd = block_->end;
@@ -133,8 +133,7 @@ void RegionRun::goOnRecorded(Live &live) {
   std::pair<uint32_t, uint32_t> last;
   uint64_t made = 0;
   bool isStill = false;
-  while (made < most && at_ < limit && !isStill &&
-         quick_->readAlike(at_, unit_.dialect->axisWords, *pattern_) && noteRead() && spend()) {
+  while (made < most && at_ < limit && !isStill && readOne(at_) && noteRead() && spend()) {
     keepBefore(live.state);
     done_ = nullptr;
     move_->make(*block_, unit_.source.id(), before_, live.state);
