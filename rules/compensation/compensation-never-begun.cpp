@@ -3,6 +3,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/turning_profile.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
 
 #include <array>
@@ -21,6 +22,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun)
       return inProfile(event, ctx);
+    if (!onlyMoves(ctx.block(), ctx))
+      return sleepInShape();
     const MachineState &before = ctx.before();
     const bool turns = ctx.dialect().isLathe() || turnsWork(ctx.dialect(), before);
     const AddressMask plane = turns ? lettersMask("XZ") : lettersMask("XY");

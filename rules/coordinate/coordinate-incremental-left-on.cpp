@@ -84,7 +84,7 @@ private:
     if (!distances || ctx.code(*distances).letter != 'G' || ctx.code(event).letter != 'G' ||
         (axesOf(ctx.dialect(), ctx.block()) & plane) != plane || ctx.before().modalCalls ||
         ctx.find({Action::ReferenceReturn, Action::MachineMove, Action::DataInput}))
-      return;
+      return sleepInShape();
     // All increments of 0 select the work offset alone.
     if (llvm::all_of(ctx.block().words, [&](const Word &word) {
           return !(ctx.dialect().axisWords & maskOf(word.address)) ||

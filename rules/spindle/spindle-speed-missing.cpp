@@ -72,23 +72,24 @@ private:
 
   void atStart(const Event &event, RuleContext &ctx) const {
     if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
-      return;
+      return sleepInShape();
     const CodeInfo &code = ctx.code(event);
     const bool starts = code.action == Action::SpindleCw || code.action == Action::SpindleCcw;
     // Beside its opposite it is told as a conflict.
     if (starts && ctx.find({Action::SpindleCw}) && ctx.find({Action::SpindleCcw}))
-      return;
+      return sleepInShape();
     if (ctx.after().must(Fact::SpeedSet)) {
       // An S0 of an earlier block; in the same block the S itself is reported.
-      if (starts && ctx.after().speed->hi <= 0 && !ctx.block().has(letterAddress('S')))
-        if (auto finding = ctx.report(event))
-          finding.message("`{0}` starts the spindle with a speed of zero", code.name)
-              .note(ctx.after().origin.of(StatePart::Speed), "the speed is programmed here");
+      if (!starts || ctx.after().speed->hi > 0 || ctx.block().has(letterAddress('S')))
+        return sleepInShape();
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}` starts the spindle with a speed of zero", code.name)
+            .note(ctx.after().origin.of(StatePart::Speed), "the speed is programmed here");
       return;
     }
     const bool turnsInCycle = tapsRigidly(code.cycle) || code.spindle == SpindleNeed::StartsItself;
     if (!starts && !turnsInCycle)
-      return;
+      return sleepInShape();
     // A tap in a driven tool that runs has that one's speed; the spindle needs none.
     if (!starts && code.spindle == SpindleNeed::Any && (ctx.after().liveTool & ~spindleOff))
       return;

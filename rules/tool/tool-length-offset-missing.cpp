@@ -141,16 +141,17 @@ private:
     };
     if (!off(ctx.after()))
       return sleepInShape();
-    if (!off(ctx.before()) || event.kind != EventKind::Motion || event.inMachineCoordinates() ||
-        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip ||
+    const Interval &to = ctx.after().at(Axis::Z);
+    if (!off(ctx.before()) || event.kind != EventKind::Motion || event.inMachineCoordinates())
+      return sleepInShape();
+    // Where the lengths are below zero, and the zero point is the machine's, Z0 is the home.
+    if (!to.isConstant() || to.value() <= 0)
+      return;
+    if (event.motion == MotionKind::Reference || event.motion == MotionKind::Skip ||
         event.code == noCode || ctx.find({Action::ToolChange}) ||
         ctx.after().may(Fact::UnknownCode) ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) !=
             Truth::Yes) // an increment is the same with any length
-      return;
-    // Where the lengths are below zero, and the zero point is the machine's, Z0 is the home.
-    const Interval &to = ctx.after().at(Axis::Z);
-    if (!to.isConstant() || to.value() <= 0)
       return;
     const Origin cancelled = ctx.after().originOf(ctx.dialect(), StandardGroup::LengthOffset);
     // Where the program switches none on, it cancels for safety what may be there.

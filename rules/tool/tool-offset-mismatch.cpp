@@ -2,6 +2,7 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/offset_habits.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -48,11 +49,12 @@ public:
       return;
     // An offset that is added is another one by its nature.
     if (ctx.find({Action::LengthAdd}))
-      return;
+      return sleepInShape();
     const int32_t tool = state.tool != notSet ? state.tool : state.preselected;
     if (!event.offset().isConstant() || tool <= 0 || event.offset().value() == 0 ||
-        event.offset().value() == tool ||
-        (onlyOtherTools_ && !habits_.isTool(int64_t(event.offset().value()), ctx) &&
+        event.offset().value() == tool)
+      return sleepInShape();
+    if ((onlyOtherTools_ && !habits_.isTool(int64_t(event.offset().value()), ctx) &&
          !habits_.breaksHabit(word, ctx)))
       return;
     if (auto finding = ctx.report(word)) {
