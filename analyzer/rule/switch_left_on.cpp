@@ -39,6 +39,13 @@ std::string offBlock(const SwitchInfo &info, uint16_t axes, const Dialect &diale
   return any ? block : "";
 }
 
+/// Whether the tool was changed since the switch was turned on, by the text: that was told there.
+bool isToldAtChange(unsigned index, const SwitchInfo &info, const MachineState &state) {
+  const Origin &on = state.origin.ofSwitch(index), &tool = state.origin.of(StatePart::Tool);
+  return info.atToolChange && on.known() && tool.known() && on.file == tool.file &&
+         on.begin < tool.begin;
+}
+
 } // namespace
 
 void listenForLeftOn(llvm::StringRef id, Subscriptions &to) {
@@ -61,7 +68,8 @@ void reportLeftOn(llvm::StringRef id, const Event &event, RuleContext &ctx) {
   std::optional<Severity> severity;
   for (unsigned i = 0; i < dialect.switches.size() && i < maxSwitches; ++i) {
     const SwitchInfo &info = dialect.switches[i];
-    if (info.leftOn != id || (toolChange && !info.atToolChange))
+    if (info.leftOn != id || (toolChange && !info.atToolChange) ||
+        isToldAtChange(i, info, toolChange ? ctx.before() : ctx.after()))
       continue;
     bool must = ctx.after().switchMustBeOn(i), may = ctx.after().switchMayBeOn(i);
     if (toolChange) {

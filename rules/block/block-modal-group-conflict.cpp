@@ -64,8 +64,14 @@ public:
       if (code.group != noGroup && code.group == other.group && isTold(use, event, ctx))
         return;
       if (auto finding = ctx.report(event)) {
-        finding.message(why, ctx.text(first), ctx.text(*event.word));
+        finding.message(!sameTwice_ && ctx.find({Action::ReferenceReturn}) &&
+                                decidesPlaces(other, ctx)
+                            ? code.action == Action::Absolute ? wayByPlaces : wayByDistances
+                            : why,
+                        ctx.text(first), ctx.text(*event.word));
         finding.note(ctx.range(first), "the first of the two");
+        if (goesHomeEitherWay(other, code, ctx))
+          finding.severity(Severity::Style);
         // `G91 G28 Z0 G90`: without its first code the block goes to another place.
         if (!decidesPlaces(other, ctx))
           finding.fix(FixSafety::Unsafe, "delete the first of the two codes", ctx.remove(first));
@@ -76,6 +82,24 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-modal-group-conflict"};
+  static constexpr const char *wayByPlaces =
+      "`{0}` and `{1}` belong to one group, and the later one counts: the way home leads over the "
+      "coordinates of this block as a place of the work";
+  static constexpr const char *wayByDistances = "`{0}` and `{1}` belong to one group, and the "
+                                                "later one counts: the coordinates of this block "
+                                                "are distances on the way home";
+
+  /// `G28 G53 B0.`, as a post-processor writes it: whichever counts, the axes go to places of the
+  /// machine.
+  static bool goesHomeEitherWay(const CodeInfo &a, const CodeInfo &b, const RuleContext &ctx) {
+    const auto isHome = [](const CodeInfo &code) {
+      return code.action == Action::ReferenceReturn || code.action == Action::MachineMove;
+    };
+    return isHome(a) && isHome(b) && llvm::all_of(ctx.block().words, [&](const Word &word) {
+             return !(ctx.dialect().axisWords & maskOf(word.address)) ||
+                    (word.isNumber() && word.mantissa == 0);
+           });
+  }
 
   /// The code says how the axis words of its block count.
   static bool decidesPlaces(const CodeInfo &code, const RuleContext &ctx) {

@@ -17,9 +17,11 @@ namespace {
 struct CompensationLeftOnMemory {
   /// Last block of a profile (file, offset) → offset of its first, number of its last.
   std::map<std::pair<FileId, uint32_t>, std::pair<uint32_t, int64_t>> profiles;
-  bool retracted = false;             ///< the tool was lifted at rapid while compensation was on
-  Origin told;                        ///< where the compensation began that was reported last
-  std::pair<FileId, uint32_t> toldIn; ///< file and begin of the program that it was reported in
+  bool retracted = false; ///< the tool was lifted at rapid while compensation was on
+  Origin told;            ///< where the compensation began that was reported last
+  /// File and begin of the program that it was reported in, and how deep its call was: a local
+  /// subprogram is of the same one.
+  std::pair<std::pair<FileId, uint32_t>, unsigned> toldIn;
 };
 
 class CompensationLeftOn final : public StatefulRule<CompensationLeftOnMemory> {
@@ -187,7 +189,9 @@ private:
               RuleContext &ctx) const {
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     const Origin &begin = ctx.after().origin.of(StatePart::Compensation);
-    const std::pair here{ctx.source().id(), ctx.index().programAt(ctx.block().begin).begin};
+    const std::pair here{
+        std::pair{ctx.source().id(), ctx.index().programAt(ctx.block().begin).begin},
+        unsigned(ctx.callDepth())};
     if (active == Truth::No || !begin.known() || outlivesTool(ctx.before()) ||
         (begin == memory().told && here == memory().toldIn))
       return;

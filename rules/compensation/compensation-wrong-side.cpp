@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ncvet {
 namespace {
@@ -234,7 +235,11 @@ private:
     outline.add(pointOf(ctx.after(), ctx.dialect()));
     const bool firstIsLine = event.motion == MotionKind::Feed;
     Action last = Action::Linear;
-    bool turnsCw = event.motion == MotionKind::ArcCw, turnsCcw = event.motion == MotionKind::ArcCcw;
+    const Action first = isArc(event.motion)
+                             ? ctx.after().activeAction(ctx.dialect(), StandardGroup::Motion)
+                             : Action::Linear;
+    Turns turns;
+    turns.count(first, 1);
     std::optional<ContourElement> circle =
         firstIsLine ? std::nullopt : wholeCircle(executedBlock(ctx));
     PathAhead ahead(ctx);
@@ -245,18 +250,19 @@ private:
         return false;
       if (move.after.compensation == phaseOn) {
         last = move.after.activeAction(ctx.dialect(), StandardGroup::Motion);
-        turnsCw |= last == Action::ArcCw;
-        turnsCcw |= last == Action::ArcCcw;
+        turns.count(last, 1);
         if (!circle && isArc(last))
           circle = wholeCircle(move);
+        outline.widenBy(move);
         outline.add(to);
         continue;
       }
       if (firstIsLine && last == Action::Linear)
         outline.closeAtCrossing();
+      leaveOutArcs(first, last, outline, turns);
       // Where no arc goes into the outline its corners hold nothing that lies outside of it.
       const bool left = code.action == Action::CompensationLeft;
-      const bool isHollow = outline.area() > 0 ? turnsCw : turnsCcw;
+      const bool isHollow = (outline.area() > 0 ? turns.cw : turns.ccw) != 0;
       const bool inside = circle ? circle->clockwise != left : (outline.area() > 0) == left;
       const bool crosses = circle   ? liesOther(*circle, inside, entry.from, to)
                            : inside ? !outline.boxHolds(entry.from) && !outline.boxHolds(to)
@@ -293,10 +299,34 @@ private:
     return isInside(from) != inside && isInside(to) != inside;
   }
 
+  /// How many arcs of a contour turn each way.
+  struct Turns {
+    int cw = 0, ccw = 0;
+
+    void count(Action motion, int by) {
+      cw += motion == Action::ArcCw ? by : 0;
+      ccw += motion == Action::ArcCcw ? by : 0;
+    }
+  };
+
   /// Corners of a contour in the plane, arcs by their ends.
   class Outline {
   public:
     void add(const Memory::Point &point) { corners_.emplace_back(point[0].lo, point[1].lo); }
+
+    /// The box about it holds all of the circle of which a block makes a part, as soon as another
+    /// one follows: the last one may lead away.
+    void widenBy(const ExecutedBlock &move) {
+      widen();
+      arc_ = contourElementOf(move);
+    }
+    void widen() {
+      if (arc_ && arc_->arc) {
+        arcsLow_ = arcsLow_.cwiseMin(arc_->centre - Vector::Constant(arc_->radius()));
+        arcsHigh_ = arcsHigh_.cwiseMax(arc_->centre + Vector::Constant(arc_->radius()));
+      }
+      arc_.reset();
+    }
 
     /// The first and the last element, lines both, go on past the corner at which they meet: the
     /// contour begins and ends there. Where they lie on one line it does so at the first corner.
@@ -318,6 +348,17 @@ private:
                  (corners_[1] - end).dot(first) >= 0) {
         corners_.front() = end;
       }
+    }
+
+    /// The first and the last element, arcs both, lead to the contour and away from it: it begins
+    /// and ends where they meet it.
+    bool leaveOutEnds(double tolerance) {
+      if (corners_.size() < 6 || isClosed(tolerance) ||
+          (corners_[1] - corners_[corners_.size() - 2]).norm() > tolerance)
+        return false;
+      corners_.erase(corners_.begin());
+      corners_.pop_back();
+      return true;
     }
 
     bool isClosed(double tolerance) const {
@@ -349,7 +390,7 @@ private:
     }
     /// Whether it lies in the box about them.
     bool boxHolds(const Memory::Point &point) const {
-      const Vector low = this->low(), high = this->high();
+      const Vector low = this->low().cwiseMin(arcsLow_), high = this->high().cwiseMax(arcsHigh_);
       return point[0].lo >= low.x() && point[0].lo <= high.x() && point[1].lo >= low.y() &&
              point[1].lo <= high.y();
     }
@@ -369,7 +410,19 @@ private:
     }
 
     std::vector<Vector> corners_;
+    std::optional<ContourElement> arc_; ///< of the last block
+    Vector arcsLow_ = Vector::Constant(std::numeric_limits<double>::infinity());
+    Vector arcsHigh_ = -arcsLow_;
   };
+
+  /// Arcs that lead to the contour and away from it are none of its elements.
+  static void leaveOutArcs(Action first, Action last, Outline &outline, Turns &turns) {
+    constexpr double tolerance = 1e-3; // mm
+    if (!isArc(first) || !isArc(last) || !outline.leaveOutEnds(tolerance))
+      return outline.widen();
+    turns.count(first, -1);
+    turns.count(last, -1);
+  }
 
   /// A mill that comes from beside the first element has to come from the side on which it stays.
   void firstElement(const Event &event, RuleContext &ctx) const {

@@ -1,5 +1,6 @@
 // Incremental dimensions are still on when the program ends.
 #include "analyzer/facts/block_before.h"
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
@@ -152,6 +153,58 @@ private:
     return false;
   }
 
+  /// The row of holes before was made by distances, which its second block switched on. After the
+  /// end of the cycle the tool goes to a place, at which nothing is made by distances.
+  bool afterRow(const Event &event, const Origin &on, RuleContext &ctx) const {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    constexpr unsigned furthest = 12; // blocks
+    const Dialect &dialect = ctx.dialect();
+    if (event.kind != EventKind::Motion || event.motion != MotionKind::Rapid || dialect.isLathe() ||
+        event.axes != plane || event.inMachineCoordinates() || ctx.before().modalCalls ||
+        !isHere(ctx, on) || on.begin >= ctx.block().begin)
+      return false;
+    const double unit = millimetresPer(dialect, ctx.before()).value_or(1);
+    if (!llvm::all_of(ctx.block().words, [&](const Word &word) {
+          return !(dialect.axisWords & maskOf(word.address)) ||
+                 (word.isNumber() && word.value() * unit > longest_);
+        }))
+      return false;
+    BlocksBefore before(ctx);
+    Block block;
+    bool ended = false;
+    for (unsigned i = 0; i < furthest && before.next(block); ++i) {
+      const bool moves = (axesOf(dialect, block) & plane) != 0;
+      if (block.begin <= on.begin && on.begin < block.next)
+        return ended && moves && !findCode(dialect, block, {Action::Cycle}) &&
+               !hasMotionCode(dialect, block) && nothingByDistances(ctx);
+      if (findCode(dialect, block, {Action::Cycle, Action::ReferenceReturn}) || (!ended && moves))
+        return false;
+      ended |= findCode(dialect, block, {Action::CycleCancel}) != nullptr;
+    }
+    return false;
+  }
+
+  /// Before the tool goes on to a place by absolute dimensions, or the program ends, nothing is
+  /// drilled or cut here.
+  static bool nothingByDistances(RuleContext &ctx) {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    constexpr unsigned furthest = 12; // blocks
+    const Dialect &dialect = ctx.dialect();
+    BlocksAhead ahead(ctx);
+    Block block;
+    bool absolute = false;
+    for (unsigned i = 0; i < furthest && ahead.next(block); ++i) {
+      if (findCode(dialect, block, {Action::ProgramEnd, Action::ProgramEndRewind}))
+        return true;
+      absolute |= findCode(dialect, block, {Action::Absolute}) != nullptr;
+      if (axesOf(dialect, block) & plane)
+        return absolute;
+      if (findCode(dialect, block, {Action::Cycle, Action::Linear, Action::ArcCw, Action::ArcCcw}))
+        return false;
+    }
+    return false;
+  }
+
   /// `G0 X0 Y0`: a distance of nothing, where the place of the first cut is meant.
   static bool leadsNowhere(const Event &event, const RuleContext &ctx) {
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
@@ -190,7 +243,7 @@ private:
       if (called.group != noGroup || before.modalCalls ||
           !(makesHole(called.cycle) || (called.alone && !ctx.dialect().isLathe())))
         return;
-    } else if (afterHome(event, on, ctx)) {
+    } else if (afterHome(event, on, ctx) || afterRow(event, on, ctx)) {
       ;
     } else if (!event.axes || event.inMachineCoordinates() ||
                event.motion == MotionKind::Reference || !before.must(Fact::ToolCalled) ||
@@ -208,6 +261,9 @@ private:
           .message(cycle ? "`{0}` is called with {1} still on"
                    : afterHome(event, on, ctx)
                        ? "a move that looks like a coordinate after the way home: {1} is still on"
+                   : afterRow(event, on, ctx)
+                       ? "a move that looks like a coordinate after a row of holes by distances: "
+                         "{1} is still on"
                        : "the first move with this tool is a distance: {1} is still on",
                    ctx.code(event).name, name)
           .note(on, "it is switched on here");

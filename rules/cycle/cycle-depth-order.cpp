@@ -2,6 +2,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/wanted_blocks.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
@@ -123,8 +124,47 @@ private:
       nothingBetween(event, code, levels, ctx);
     else if (levels.level() < levels.depth())
       belowDepth(event, code, levels, ctx);
-    else if (!belowZero(event, code, levels, ctx))
+    else if (!belowZero(event, code, levels, ctx) && !aboveWork(event, code, levels, ctx))
       startsBelow(event, code, levels, ctx);
+  }
+
+  /// The hole ends above zero, where all others of the program end below it.
+  bool aboveWork(const Event &event, const CodeInfo &code, const Levels &levels,
+                 RuleContext &ctx) const {
+    constexpr double nearZero = 10; // mm: the work begins there
+    if (levels.z <= 0 || levels.level() > nearZero || event.kind != EventKind::CycleStart ||
+        !event.certain || ctx.dialect().isLathe() || !ctx.after().frames.empty() ||
+        ctx.after().may(Fact::UnknownCode) || !isAloneAbove(ctx))
+      return false;
+    const Word *const depth = wordOf(ctx.block(), code, Role::Depth);
+    if (auto finding = ctx.report(depth ? *depth : levels.word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` ends above zero, and all other cycles of the program below it: was the "
+                   "sign of its depth lost?",
+                   code.name);
+    return true;
+  }
+
+  /// By program: whether its cycles have depths below zero, and one alone has a depth above it.
+  TextAnswers<std::pair<FileId, uint32_t>, bool> oneAbove_;
+  bool isAloneAbove(const RuleContext &ctx) const {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    return oneAbove_.of({ctx.source().id(), program.begin}, [&] {
+      constexpr unsigned habit = 2; // cycles
+      unsigned below = 0, above = 0;
+      for (const Block &block :
+           blocksNaming(ctx.index(), program, ctx.dialect(), {Action::Cycle})) {
+        const CodeInfo *const cycle = findCode(ctx.dialect(), block, {Action::Cycle});
+        const Word *const depth =
+            cycle && makesHole(cycle->cycle) ? wordOf(block, *cycle, Role::Depth) : nullptr;
+        if (!depth)
+          continue;
+        if (!depth->isNumber() || depth->has(wordIncremental))
+          return false;
+        (depth->mantissa < 0 ? below : above) += 1;
+      }
+      return below >= habit && above == 1;
+    });
   }
 
   /// R lies below zero, where other cycles of the program have the same number above it.

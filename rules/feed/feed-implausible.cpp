@@ -17,7 +17,7 @@ struct FeedImplausibleMemory {
 class FeedImplausible final : public StatefulRule<FeedImplausibleMemory> {
 public:
   void listen(Subscriptions &to) override {
-    to.onChange({EventKind::FeedWord, EventKind::Motion});
+    to.onChange({EventKind::FeedWord, EventKind::Motion, EventKind::CycleRun});
     perMinuteBelow_ = to.number("perMinuteBelow", 1);
     statedMode_ = to.flag("statedMode");
     perMinuteAbove_ = to.number("perMinuteAbove", 60'000);
@@ -28,9 +28,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
-    const bool carried = event.kind == EventKind::Motion;
+    const bool carried = event.kind != EventKind::FeedWord;
     // An F that was fit for its mode may be unfit for the one that is in force at the cut.
-    if (carried && (!cuts(event) || ctx.block().has(letterAddress('F')) ||
+    if (carried && (!cuts(event, ctx) || ctx.block().has(letterAddress('F')) ||
                     !ctx.after().must(Fact::FeedCarried)))
       return sleepInShape();
     const Interval value = carried ? state.feed.get() : event.feed();
@@ -173,7 +173,14 @@ private:
            (speed == noGroup || ctx.after().group(speed) == groupUnset);
   }
 
-  static bool cuts(const Event &event) { return event.code != noCode && isFeed(event.motion); }
+  /// A move at feed, or a hole that is drilled with it.
+  static bool cuts(const Event &event, const RuleContext &ctx) {
+    if (event.code == noCode || event.kind == EventKind::Motion)
+      return event.code != noCode && isFeed(event.motion);
+    const CodeInfo &code = ctx.code(event);
+    // A call has a feed of its own.
+    return code.group != noGroup && code.needsFeed && makesHole(code.cycle) && !taps(code.cycle);
+  }
 
   /// The mode was switched after the F.
   static bool isCarried(RuleContext &ctx) {

@@ -1,9 +1,11 @@
 // The feed's unit was changed, and the next feed move has no F of its own.
 #include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/project.h"
 #include "analyzer/program/wanted_blocks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
@@ -19,8 +21,9 @@ struct FeedModeChangeWithoutFeedMemory {
 class FeedModeChangeWithoutFeed final : public StatefulRule<FeedModeChangeWithoutFeedMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::FeedMode) != noGroup &&
-        to.dialect().facts->feed.newAfterModeChange)
+    const bool counts = to.dialect().facts->feed.newAfterModeChange;
+    afterInverse_ = !counts && firstCodeWith(to.dialect(), Action::FeedInverseTime);
+    if (to.dialect().group(StandardGroup::FeedMode) != noGroup && (counts || afterInverse_))
       to.onChange({EventKind::Motion, EventKind::CycleRun});
     const GroupIndex modes = to.dialect().group(StandardGroup::FeedMode);
     forgets_ = modes != noGroup && to.dialect().groups[modes].forgetsFeed;
@@ -28,6 +31,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (afterInverse_ && !ctx.after().must(Fact::FeedCarried))
+      return sleepInShape();
     if (event.kind == EventKind::CycleRun && !afterTap_)
       return hole(event, ctx);
     if (event.kind == EventKind::CycleRun) {
@@ -77,7 +82,8 @@ private:
     const Origin &feed = state.origin.of(StatePart::Feed);
     if (!mode.known() || !feed.known())
       return;
-    if (mode.file != feed.file || mode.file != ctx.source().id())
+    if (mode.file != feed.file || mode.file != ctx.source().id() ||
+        !areOfOneProgram(mode, feed, ctx))
       return ofOtherProgram(event, mode, feed, ctx);
     if (!state.must(Fact::FeedCarried) || feed.begin > mode.begin || !changed(mode, feed, ctx) ||
         mode.begin == memory().reported)
@@ -97,7 +103,13 @@ private:
           .note(feed, "the feed is programmed here");
   }
 
-  /// F, the unit and the move are not all in one file: one program called the other. F counts in
+  /// Of two places of the current file: they are in its current program.
+  static bool areOfOneProgram(const Origin &mode, const Origin &feed, const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    return isIn(ctx, mode, program) && isIn(ctx, feed, program);
+  }
+
+  /// F, the unit and the move are not all in one program: one program called the other. F counts in
   /// the unit that its own program had stated before it.
   void ofOtherProgram(const Event &event, const Origin &mode, const Origin &feed,
                       RuleContext &ctx) const {
@@ -107,7 +119,7 @@ private:
         (!state.must(Fact::FeedCarried) && isOfRunningProgram(feed, ctx)))
       return;
     const CodeIndex then = unitOf(feed, ctx);
-    if (then == noCode || !otherUnit(ctx.dialect(), then, codeIndex(*now, ctx.dialect())) ||
+    if (then == noCode || !countsAnew(ctx.dialect(), then, codeIndex(*now, ctx.dialect())) ||
         memory().acrossCalls == std::pair(feed, mode))
       return;
     memory().acrossCalls = {feed, mode};
@@ -237,10 +249,11 @@ private:
   /// By program: those of its text.
   TextAnswers<std::pair<FileId, uint32_t>, std::vector<Stated>> units_;
   bool afterTap_ = false;
-  bool forgets_ = false; ///< see `GroupInfo::forgetsFeed`
+  bool afterInverse_ = false; ///< only where F was the time of a move
+  bool forgets_ = false;      ///< see `GroupInfo::forgetsFeed`
 
   /// Whether F was programmed under another unit than that of the code at `mode`, by the text.
-  static bool changed(const Origin &mode, const Origin &feed, const RuleContext &ctx) {
+  bool changed(const Origin &mode, const Origin &feed, const RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
     Block block;
     readBlockOf(ctx, mode, block);
@@ -253,10 +266,10 @@ private:
       for (const Word &before : llvm::reverse(block.words))
         if (block.begin <= feed.begin && before.offset < mode.begin)
           if (const auto last = stated(dialect, before))
-            return otherUnit(dialect, *last, code);
+            return countsAnew(dialect, *last, code);
     while (readBack(ctx, block));
     const CodeIndex first = initial(dialect);
-    return first != noCode && otherUnit(dialect, first, code);
+    return first != noCode && countsAnew(dialect, first, code);
   }
 
   /// What holds at the start counts as stated where the table knows it.
@@ -277,6 +290,12 @@ private:
     const CodeIndex first = initial(dialect);
     return dialect.codes[code].action == Action::Reset && first != noCode ? std::optional(first)
                                                                           : std::nullopt;
+  }
+
+  /// An F that was the time of a move is no feed afterwards, on any control.
+  bool countsAnew(const Dialect &dialect, CodeIndex before, CodeIndex now) const {
+    return otherUnit(dialect, before, now) &&
+           (!afterInverse_ || dialect.codes[before].action == Action::FeedInverseTime);
   }
 
   /// Whether the number of F counts otherwise under `b` than under `a`. Where the table says which

@@ -160,7 +160,8 @@ private:
 
   static int64_t onlyUncalled(const RuleContext &ctx) {
     std::set<int64_t> called, returning;
-    constexpr unsigned most = 20'000; // blocks
+    std::set<std::pair<int64_t, int64_t>> calls; ///< the caller, and what it calls
+    constexpr unsigned most = 20'000;            // blocks
     unsigned read = 0;
     for (const ProgramInfo &program : ctx.index().programs())
       for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
@@ -175,12 +176,17 @@ private:
         if (!number || !number->isNumber())
           return -1; // what it calls the text does not say
         called.insert(int64_t(number->value()) % 10'000);
+        calls.emplace(program.number, int64_t(number->value()) % 10'000);
       }
     size_t open = 0;
+    int64_t missing = -1;
     for (const int64_t number : called)
-      open += llvm::none_of(ctx.index().programs(), [&](const ProgramInfo &program) {
-        return program.number % 10'000 == number;
-      });
+      if (llvm::none_of(ctx.index().programs(), [&](const ProgramInfo &program) {
+            return program.number % 10'000 == number;
+          })) {
+        ++open;
+        missing = number;
+      }
     int64_t orphan = -1;
     for (const int64_t number : returning) {
       if (called.count(number % 10'000))
@@ -189,7 +195,8 @@ private:
         return -1;
       orphan = number;
     }
-    return open == 1 ? orphan : -1;
+    // One that calls the missing program itself is another one.
+    return open == 1 && !calls.count({orphan, missing}) ? orphan : -1;
   }
 
   void tell(FindingBuilder &finding, bool local, bool builtIn, const RuleContext &ctx) const {

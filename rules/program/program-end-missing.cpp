@@ -86,12 +86,12 @@ private:
     return findCode(ctx.dialect(), block, {Action::ProgramStop}) != nullptr;
   }
 
-  /// No block has a word of an axis: it is read before a program, and gives values, or is the head
-  /// that others are pasted to.
+  /// No block that always runs has a word of an axis: it is read before a program, and gives
+  /// values, or is the head that others are pasted to.
   static bool onlySets(const ProgramInfo &program, const RuleContext &ctx) {
     const AddressMask acts = ctx.dialect().axisWords;
     for (const Block &block : blocksWith(ctx.index(), program, acts))
-      if (block.hasAny(acts))
+      if (block.skip < 0 && block.hasAny(acts))
         return false;
     return true;
   }

@@ -1,4 +1,5 @@
 // A feed move or a cutting cycle while the spindle does not turn.
+#include "analyzer/facts/block_before.h"
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/codes_in_force.h"
@@ -131,6 +132,8 @@ private:
     if (namesAxesAlone(ctx.dialect(), ctx.block()) ||
         ctx.find({Action::LengthPositive, Action::LengthNegative}))
       return false; // (a tool comes to its first height with its length)
+    if (comesBackFromBeyond(event, ctx))
+      return false;
     // Along the tool's axis to a place that is not known, perhaps out of the work.
     const Interval &from = ctx.before().at(tool), &to = ctx.after().at(tool);
     if (!ctx.dialect().isLathe() && event.axes == uint16_t(1u << unsigned(tool)) &&
@@ -139,6 +142,13 @@ private:
     // No motion was asked for, and none is made for want of a feed: other rules say so.
     const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
     return motion == noGroup || ctx.after().mayBeStated(motion) || ctx.after().may(Fact::FeedSet);
+  }
+
+  /// A lathe: the way that a parting tool has come, from beyond the axis outwards.
+  static bool comesBackFromBeyond(const Event &event, const RuleContext &ctx) {
+    const Interval &from = ctx.before().at(Axis::X), &to = ctx.after().at(Axis::X);
+    return ctx.dialect().isLathe() && event.axes == uint16_t(1u << unsigned(Axis::X)) &&
+           from.isConstant() && to.isConstant() && from.value() < 0 && to.value() > from.value();
   }
 
   /// The machine profile says where the stock ends, and the whole move is above it.
@@ -254,10 +264,10 @@ private:
   /// Between the tool and the cut the program stops: the spindle may be one that is switched by
   /// hand.
   static bool stopsForHand(const RuleContext &ctx) {
-    constexpr unsigned furthest = 20; // blocks
+    constexpr unsigned furthest = 200; // blocks
+    BlocksBefore before(ctx);
     Block block;
-    bool more = readPrevious(ctx, block);
-    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block)) {
+    for (unsigned i = 0; i < furthest && before.next(block); ++i) {
       if (findCode(ctx.dialect(), block, {Action::ProgramStop}))
         return true;
       if (findCode(ctx.dialect(), block, {Action::ToolChange, Action::Cycle, Action::Linear}))

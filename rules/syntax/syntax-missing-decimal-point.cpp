@@ -78,7 +78,7 @@ public:
     if (without < with || !without)
       for (const SourceRange &place : memory().others)
         tell(place, ctx);
-    if (without >= with)
+    if (without > with)
       return;
     constexpr size_t most = 10; // told block by block
     for (size_t i = 0, next = 0; i < places.size(); i = next) {
@@ -135,11 +135,15 @@ private:
 
   void tell(const SourceRange &place, RuleContext &ctx) const {
     const llvm::StringRef word = ctx.text(place);
+    const llvm::StringRef number = word.drop_front().ltrim("+-=0 ");
+    // What is meant so is read otherwise by a control that counts whole units.
+    const bool meant = number.size() > 3 && !word.startswith_insensitive("F") &&
+                       (memory().inch || memory().metric);
     if (auto finding = ctx.report(place))
       finding
           .message("`{0}` has no decimal point: the control may read it as {1} {2}{3}", word,
-                   word.drop_front().ltrim("+-=0 "), memory().inch || memory().metric ? "" : "of ",
-                   parts())
+                   number, memory().inch || memory().metric ? "" : "of ",
+                   meant ? memory().inch ? "inches" : "mm" : parts())
           .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(place.end, "."));
   }
 

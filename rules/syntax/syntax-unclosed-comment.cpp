@@ -1,5 +1,6 @@
 // A comment that is not closed in its block, is nested, or is closed without having been opened.
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -46,8 +47,14 @@ public:
     case SyntaxIssueKind::NestedComment: {
       const bool braces = ctx.text(range).startswith("{");
       if (nestedStops_) {
-        if (auto finding = ctx.report(range))
-          finding.text("a `(` inside a comment: the interpreter stops here");
+        if (auto finding = ctx.report(range)) {
+          if (isForOther_.of(ctx.source().id(), [&] { return isForPathPilot(ctx); }))
+            finding.severity(Severity::Warning)
+                .text("a `(` inside a comment: PathPilot, for which this is written, takes it, "
+                      "LinuxCNC's own interpreter stops here");
+          else
+            finding.text("a `(` inside a comment: the interpreter stops here");
+        }
         return;
       }
       // With nothing after the `)` the comment is read whole, but for one more bracket.
@@ -78,6 +85,15 @@ public:
   }
 
 private:
+  /// By file: what this control stops at another one of its kind takes.
+  TextAnswers<FileId, bool> isForOther_;
+  static bool isForPathPilot(const RuleContext &ctx) {
+    constexpr size_t enough = 100'000; // bytes
+    const llvm::StringRef text = ctx.source().text().take_front(enough);
+    return text.contains_insensitive("pathpilot") || text.contains_insensitive("o<tormach") ||
+           text.contains_insensitive("o<atc_");
+  }
+
   /// `(HOLES (FIRST ROW) )`: nothing is read as code, but a bracket is left.
   void bracketLeft(const SourceRange &range, RuleContext &ctx) const {
     if (!memory().brackets.speaks(Origin(), ctx))

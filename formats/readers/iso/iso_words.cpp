@@ -99,7 +99,7 @@ void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
     word.flags |= wordExpression;
     passBareArithmetic(value);
     // Where a number names a place of the program it cannot be computed.
-    if (!lexical_.flowWords && (address == letterAddress('N') || address == letterAddress('O')))
+    if (address == letterAddress('N') || (!lexical_.flowWords && address == letterAddress('O')))
       return issue(SyntaxIssueKind::BadExpression, begin, at_);
     return append(word);
   }
