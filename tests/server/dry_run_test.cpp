@@ -585,6 +585,16 @@ INSTANTIATE_TEST_SUITE_P(Controls, LongDryRun, testing::ValuesIn(longRuns()), []
   return name;
 });
 
+TEST(DryRun, EveryControlHasALongRun) {
+  std::set<std::string> known, run;
+  std::istringstream in(Shop().run({"dialects"}).out);
+  for (std::string line; std::getline(in, line);)
+    known.insert(line.substr(0, line.find(' ')));
+  for (const LongRun &one : longRuns())
+    run.insert(one.dialect);
+  EXPECT_EQ(run, known);
+}
+
 /// `G00` and `G0` are one code.
 std::string bareCode(const std::string &code) {
   const size_t zeros = code.find_first_not_of('0', 1);

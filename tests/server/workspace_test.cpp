@@ -1,5 +1,6 @@
 // A workspace with more programs than anybody opens: what the user looks at comes first.
 #include "tests/support/language_client.h"
+#include "tests/support/large_workspace.h"
 #include "tests/support/process.h"
 #include "tests/support/sanitized.h"
 
@@ -14,37 +15,7 @@ namespace {
 using namespace ncvet::test;
 using Clock = std::chrono::steady_clock;
 
-/// Half of them are main programs, each of which calls one of the others.
 constexpr unsigned programs = sanitized ? 200 : 2000;
-
-std::string nameOf(unsigned number) {
-  const std::string digits = std::to_string(number);
-  return "O" + std::string(4 - digits.size(), '0') + digits;
-}
-
-/// A row of holes for each of three tools; the last cycle is left on where the program ends.
-std::string mainProgram(unsigned number) {
-  std::string text =
-      "%\n" + nameOf(number) + " (PLATE, FANUC 0I-MF)\nN10 G17 G21 G40 G80 G90 G94\n";
-  for (unsigned tool = 1; tool <= 3; ++tool) {
-    const std::string t = std::to_string(tool);
-    text += "T" + t + " M06\nG54 G00 X0. Y0. S1200 M03\nG43 H" + t +
-            " Z50. M08\nG81 X10. Y10. Z-10. R2. F200.\n";
-    for (unsigned hole = 0; hole < 30; ++hole)
-      text += "X" + std::to_string(hole * 7 % 90) + ". Y" + std::to_string(number % 90) + ".\n";
-    text +=
-        "G80\nM98 P" + std::to_string(number + programs / 2) + "\nG00 Z50. M09\nG91 G28 Z0.\nG90\n";
-  }
-  return text + "G81 X10. Y10. Z-10. R2. F200.\nM30\n%\n";
-}
-
-std::string subprogram(unsigned number) {
-  std::string text = "%\n" + nameOf(number) + " (SUB)\n";
-  for (unsigned i = 0; i < 50; ++i)
-    text +=
-        "G01 X" + std::to_string(i * 11 % 90) + ". Y" + std::to_string(i * 5 % 70) + ". F300.\n";
-  return text + "G00 Z50.\nM99\n%\n";
-}
 
 /// Peak of the resident memory, MiB.
 long peakOf(pid_t process) {
@@ -67,9 +38,8 @@ double secondsOf(pid_t process) {
 
 TEST(Workspace, OfTwoThousandProgramsDoesNotKeepTheOpenOneWaiting) {
   Shop shop;
-  for (unsigned number = 1; number <= programs / 2; ++number)
-    shop.file(nameOf(number) + ".nc", mainProgram(number))
-        .file(nameOf(number + programs / 2) + ".nc", subprogram(number + programs / 2));
+  const LargeWorkspace workspace(programs);
+  workspace.write([&](const std::string &name, const std::string &text) { shop.file(name, text); });
   LanguageClient client;
   client.initialize({{"textDocument", {{"diagnostic", Json::object()}}}},
                     {{"dialect", "fanuc-mill"}, {"workspaceDiagnostics", true}},
@@ -77,7 +47,7 @@ TEST(Workspace, OfTwoThousandProgramsDoesNotKeepTheOpenOneWaiting) {
   const auto start = Clock::now();
   const int64_t all = client.ask("workspace/diagnostic", {{"previousResultIds", Json::array()}});
   const std::string open = (shop.path() / "O0007.nc").string();
-  client.open(open, mainProgram(7));
+  client.open(open, workspace.mainProgram(7));
   const Json here = {{"textDocument", documentOf(open)}};
   EXPECT_FALSE(client.request("textDocument/diagnostic", here)["items"].empty());
   Json hover = here;
