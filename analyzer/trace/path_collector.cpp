@@ -163,6 +163,7 @@ void PathCollector::resume(const Rest &rest) {
   others_ = rest.others;
   sections_.resume(rest.sections);
   ended_ = cancel = false;
+  lines_ = {}; // of a text that is no longer there
 }
 
 void PathCollector::endAt(const FileUnit &unit, uint32_t begin, PathEnd::Kind kind,
@@ -188,12 +189,12 @@ void PathCollector::noteOthers(uint32_t number, const Move &move) {
     }
 }
 
-bool goOnAlike(const PathCollector::Rest &before, const PathCollector::Rest &after, int64_t by) {
+bool goOnAlike(const PathCollector::Rest &before, const PathCollector::Rest &after) {
   const bool sameFeed = before.hasFeed == after.hasFeed &&
                         (!before.hasFeed || (before.feed.kind == after.feed.kind &&
                                              isSameNumber(before.feed.value, after.feed.value)));
   return sameFeed && isSamePoint(before.at, after.at) && before.others == after.others &&
-         goOnAlike(before.sections, after.sections, by);
+         goOnAlike(before.sections, after.sections);
 }
 
 CentreCollector::CentreCollector(const Dialect &dialect, ToolPath &path, PathFiles &files,
@@ -216,6 +217,7 @@ void CentreCollector::moved(const TracedMove &traced) {
 void CentreCollector::resume(const CurveWriter::Point &rest) {
   writer_.setAt(rest);
   cancel = false;
+  lines_ = {};
 }
 
 } // namespace ncvet

@@ -99,9 +99,8 @@ private:
   bool ended_ = false, hasCentre_ = false;
 };
 
-/// Whether a path goes on after both in the same manner: the blocks that follow are the same, and
-/// begin `by` bytes later in the second.
-bool goOnAlike(const PathCollector::Rest &before, const PathCollector::Rest &after, int64_t by);
+/// Whether a path goes on after both in the same manner: the blocks that follow are the same.
+bool goOnAlike(const PathCollector::Rest &before, const PathCollector::Rest &after);
 
 /// Takes where compensation puts the tool.
 class CentreCollector : public TraceSink {

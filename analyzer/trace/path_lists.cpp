@@ -110,6 +110,14 @@ ToolPathChange lengthsOf(const ToolPath &path) {
   return lengths;
 }
 
+void moveLines(ToolPath &path, const ToolPathChange &change) {
+  for (PathCurve *const curve : {&path.programmed, &path.centre})
+    for (PathMove &move : curve->moves)
+      move.line = movedLine(move.file, move.line, change);
+  for (PathOperation &operation : path.operations)
+    operation.line = movedLine(operation.file, operation.line, change);
+}
+
 CutPath::CutPath(ToolPath &path, const ToolPathChange &from) : path_(path), from_(from) {
   cut(path.programmed.moves, from.moves.first, rest_.programmed.moves);
   cutArcs(path.programmed, from.moves.first, rest_.programmed);

@@ -8,6 +8,9 @@ namespace ncvet {
 /// How many elements each list has, as `first`.
 ToolPathChange lengthsOf(const ToolPath &path);
 
+/// Moves and operations of blocks after the edit get their lines.
+void moveLines(ToolPath &path, const ToolPathChange &change);
+
 /// The end of a path, which is taken away to be made anew.
 class CutPath {
 public:

@@ -186,12 +186,12 @@ void PathSections::resume(const Rest &rest) {
   next_ = rest.next;
 }
 
-bool goOnAlike(const PathSections::Rest &before, const PathSections::Rest &after, int64_t by) {
+bool goOnAlike(const PathSections::Rest &before, const PathSections::Rest &after) {
   // An operation that has cut is what it will be: later blocks do not name it any more.
   return before.setting == after.setting && before.tool == after.tool &&
          before.cycle == after.cycle && before.hasCut && after.hasCut && before.isLast &&
          after.isLast && before.isTold == after.isTold && before.file == after.file &&
-         before.next + by == after.next;
+         before.next == after.next;
 }
 
 void PathSections::moved(uint32_t number, uint32_t mark, bool isCut) {

@@ -60,8 +60,7 @@ private:
   uint32_t lastMark_ = uint32_t(-1); ///< of the last move
 };
 
-/// Whether operations go on after both in the same manner: the blocks that follow are the same, and
-/// begin `by` bytes later in the second.
-bool goOnAlike(const PathSections::Rest &before, const PathSections::Rest &after, int64_t by);
+/// Whether operations go on after both in the same manner: the blocks that follow are the same.
+bool goOnAlike(const PathSections::Rest &before, const PathSections::Rest &after);
 
 } // namespace ncvet

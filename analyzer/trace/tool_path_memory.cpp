@@ -22,34 +22,76 @@ MachineState forPath(const MachineState &state) {
   return kept;
 }
 
+uint32_t movedBy(uint32_t place, const PathEdit &edit) {
+  return place < edit.tail ? place
+                           : place + edit.change.added - (edit.change.end - edit.change.begin);
+}
+
+bool isNothing(const PathEdit &edit) {
+  return edit.change.begin == edit.change.end && edit.change.added == 0;
+}
+
+void moveBy(PathPoint &point, const PathEdit &edit) {
+  point.next = movedBy(point.next, edit);
+  point.rest.sections.next = movedBy(point.rest.sections.next, edit);
+  point.text.moveBy(edit);
+}
+
+/// Whether some of the text comes after the edit.
+bool comesAfter(const ExecutedText &text, const PathEdit &edit) {
+  return text.main.end > edit.tail ||
+         llvm::any_of(text.programs, [&](const auto &range) { return range.begin >= edit.tail; });
+}
+
+/// Adds a program to those that are ordered by their places.
+void addProgram(ExecutedText &text, const ProgramInfo &program) {
+  const auto at = llvm::partition_point(
+      text.programs, [&](const auto &range) { return range.begin < program.begin; });
+  if (at == text.programs.end() || at->begin != program.begin)
+    text.programs.insert(at, {program.begin, program.end});
+}
+
 } // namespace
+
+bool ExecutedText::isClearOf(const PathEdit &edit) const {
+  // What is put in at the end of a range may belong to it, and what is put in before it as well.
+  const auto isClear = [&](const Range &range) {
+    return range.end < edit.change.begin ||
+           (range.begin >= edit.tail && range.begin > edit.change.end);
+  };
+  return isNothing(edit) || (isClear(main) && llvm::all_of(programs, isClear));
+}
+
+void ExecutedText::moveBy(const PathEdit &edit) {
+  const auto move = [&](Range &range) {
+    range = {movedBy(range.begin, edit), movedBy(range.end, edit)};
+  };
+  move(main);
+  llvm::for_each(programs, move);
+}
 
 struct ToolPathMemory::Run {
   Project &project;
   FileUnit &unit;
   const AnalysisLimits &limits;
   const std::atomic<bool> *cancel;
-  uint64_t piece = 0; ///< see `ToolPathMemory::follow`
+  uint64_t piece = 0;  ///< see `ToolPathMemory::follow`
+  bool wasCut = false; ///< the path that is there had too many moves
 };
 
 /// Keeps points while a program is followed, and finds out when it has come to a known one.
 class ToolPathMemory::Marker final : public FlowListener {
 public:
-  /// What of an earlier run may be met again.
-  struct Known {
-    llvm::ArrayRef<PathPoint> points; ///< in the order in which they were passed
-    int64_t by = 0;                   ///< their blocks begin so many bytes later now
-  };
-
-  Marker(ToolPathMemory &memory, const Run &run, const Known &known)
+  /// `known`: what of an earlier run may be met again, in the order in which it was passed.
+  Marker(ToolPathMemory &memory, const Run &run, llvm::ArrayRef<PathPoint> known)
       : memory_(memory), unit_(run.unit), stop_(run.cancel), piece_(run.piece),
-        movesBefore_(memory.path_.programmed.moves.size()), known_(known) {}
+        movesBefore_(memory.path_.programmed.moves.size()), wasCut_(run.wasCut), known_(known) {}
 
   void follow(Tracer &programmed, Tracer *centre, const PathPoint *from) {
     programmed_ = &programmed;
     centre_ = centre;
     if (from) {
-      reach_ = from->reach;
+      text_.main = {from->next, from->next};
       detours_ = from->detours;
     }
   }
@@ -61,19 +103,18 @@ public:
     ++since_;
     if ((stop_ && *stop_) || memory_.programmed_->cancel)
       cancel = true;
-    if (meeting_ || !isStraight(step) || !isQuiet(step.live.state))
+    if (cancel || !isStraight(step) || !isQuiet(step.live.state))
       return;
     const uint32_t next = step.block.next;
-    while (!known_.points.empty() && known_.points.front().next + known_.by < next) {
-      known_.points = known_.points.drop_front();
+    while (!known_.empty() && known_.front().next < next) {
+      known_ = known_.drop_front();
       ++passed_;
     }
-    const bool isKnown =
-        !turned_ && !known_.points.empty() && known_.points.front().next + known_.by == next;
+    const bool isKnown = !turned_ && !known_.empty() && known_.front().next == next;
     if (!isKnown && since_ < blocksBetween)
       return;
     PathPoint point = pointAt(step);
-    const bool isMet = isKnown && goesOnAlike(known_.points.front(), point);
+    const bool isMet = isKnown && goesOnAlike(known_.front(), point);
     if (isMet || (isKnown && endsPiece(point))) {
       isAlike_ = isMet;
       meeting_.emplace(std::move(point));
@@ -83,7 +124,8 @@ public:
         memory_.centre_->close();
     } else if (since_ >= blocksBetween && point.rest.sections.hasCut) {
       since_ = 0;
-      low_ = notYet;
+      text_ = {{next, next}, {}};
+      lastProgram_ = nullptr;
       points_.push_back(std::move(point));
     }
   }
@@ -95,12 +137,11 @@ public:
   /// Known points before that one.
   size_t passed() const { return passed_; }
   uint64_t detours() const { return detours_; }
-  uint32_t low() const { return low_; }
+  const ExecutedText &text() const { return text_; }
   uint64_t blocks() const { return blocks_; }
   std::vector<PathPoint> takePoints() { return std::move(points_); }
 
   std::atomic<bool> cancel = false; ///< there is nothing more to be followed
-  static constexpr uint32_t notYet = ~0u;
 
 private:
   /// Whether the block is one of the main program after which the next one in the text follows.
@@ -111,24 +152,37 @@ private:
       detours_ += flow.kind == FlowKind::Return && flow.target.isConstant();
       return false;
     }
-    reach_ = std::max(reach_, step.block.next);
-    low_ = std::min(low_, step.block.begin);
-    const bool isMain = step.region().kind == RegionKind::Main && step.region().depth() == 0;
+    const Region &region = step.region();
+    const bool isMain = region.kind == RegionKind::Main && region.depth() == 0;
+    if (isMain) {
+      text_.main.begin = std::min(text_.main.begin, step.block.begin);
+      text_.main.end = std::max(text_.main.end, step.block.next);
+    } else if (std::exchange(lastProgram_, &region.program) != &region.program) {
+      addProgram(text_, region.program);
+    }
     if (isMain && flow.kind == FlowKind::Next)
       return true;
-    turned_ = true;
     switch (flow.kind) {
-    case FlowKind::LoopBegin:
-    case FlowKind::LoopEnd:
-    case FlowKind::Structure:
+    case FlowKind::Next:
     case FlowKind::Call:
     case FlowKind::CallNamed:
     case FlowKind::CallModal:
     case FlowKind::End:
     case FlowKind::Alarm:
-      detours_ += !isMain;
+      break;
+    case FlowKind::Return:
+      if (!isMain && !flow.target.isConstant())
+        break;
+      turned_ = true;
+      ++detours_;
+      break;
+    case FlowKind::LoopBegin:
+    case FlowKind::LoopEnd:
+    case FlowKind::Structure:
+      turned_ |= isMain;
       break;
     default:
+      turned_ = true;
       ++detours_;
     }
     return false;
@@ -155,8 +209,7 @@ private:
                     memory_.programmed_->rest(),
                     CurveWriter::nowhere,
                     lengthsOf(memory_.path_),
-                    reach_,
-                    low_,
+                    text_,
                     detours_};
     if (centre_) {
       point.centreTrace.emplace(centre_->rest());
@@ -166,25 +219,34 @@ private:
   }
 
   bool goesOnAlike(const PathPoint &known, const PathPoint &point) const {
+    // A path of which the end is missing ends where it has so many moves.
+    const auto isAsLong = [](const ListChange &a, const ListChange &b) {
+      return a.first == b.first;
+    };
+    if (wasCut_ && !(isAsLong(known.before.moves, point.before.moves) &&
+                     isAsLong(known.before.centre, point.before.centre)))
+      return false;
     return equal(known.state, point.state) && programmed_->goesOnAs(known.trace) &&
            bool(known.centreTrace) == bool(centre_) &&
            (!centre_ || (centre_->goesOnAs(*known.centreTrace) &&
                          isSamePoint(known.centreRest, point.centreRest))) &&
-           goOnAlike(known.rest, point.rest, known_.by);
+           goOnAlike(known.rest, point.rest);
   }
 
   ToolPathMemory &memory_;
   const FileUnit &unit_;
   const std::atomic<bool> *stop_;
   const uint64_t piece_, movesBefore_;
-  Known known_;
+  const bool wasCut_;
+  llvm::ArrayRef<PathPoint> known_;
   Tracer *programmed_ = nullptr, *centre_ = nullptr;
   std::vector<PathPoint> points_;
   std::optional<PathPoint> meeting_;
   uint64_t since_ = 0; ///< blocks since the last point
   uint64_t blocks_ = 0, detours_ = 0;
   size_t passed_ = 0;
-  uint32_t reach_ = 0, low_ = notYet;
+  ExecutedText text_;                        ///< since the last point
+  const ProgramInfo *lastProgram_ = nullptr; ///< of them that was called
   bool isAlike_ = false;
   bool turned_ = false; ///< the program did not go straight on since the run began
 };
@@ -205,7 +267,7 @@ bool ToolPathMemory::mayBeCompared() const {
 }
 
 /// Whether a run from one of its points ends where one from the start does.
-bool ToolPathMemory::mayBeTakenUp() const { return whole_ && path_.end.kind != PathEnd::Cut; }
+bool ToolPathMemory::mayBeTakenUp() const { return whole_ || path_.end.kind == PathEnd::Cut; }
 
 /// Follows the program from a point, or from its start, and tells the marker.
 void ToolPathMemory::runFrom(const Run &run, const PathPoint *from, Marker &marker) {
@@ -255,23 +317,22 @@ std::optional<ToolPathChange> ToolPathMemory::followAll(const Run &run, bool wit
     return followAll(run, true);
   points_ = marker.takePoints();
   fresh_ = points_.size();
-  low_ = marker.low();
+  text_ = marker.text();
   detours_ = marker.detours();
   settingsAtFirst_ = path_.settings.size();
   return ToolPathChange();
 }
 
-/// Takes the points away that the edit may have made wrong: what is left lies before it. Gives
-/// those after which the program does not come by it again, and how many of these are fresh.
+/// Takes the points away that the edit may have made wrong: what is left was passed before it.
+/// Gives those after which the program does not come by it again, and how many of these are fresh.
 std::vector<PathPoint> ToolPathMemory::takeAfter(const PathEdit &edit, size_t &fresh) {
   size_t kept = 0;
-  while (kept < fresh_ && points_[kept].detours == 0 && points_[kept].reach < edit.change.begin)
+  while (kept < fresh_ && points_[kept].detours == 0 && points_[kept].text.isClearOf(edit))
     ++kept;
   size_t tail = points_.size();
-  uint32_t low = low_;
-  while (tail > kept && low >= edit.tail && points_[tail - 1].detours == detours_ &&
-         points_[tail - 1].next >= edit.tail)
-    low = points_[--tail].low;
+  const ExecutedText *text = &text_;
+  while (tail > kept && text->isClearOf(edit) && points_[tail - 1].detours == detours_)
+    text = &points_[--tail].text;
   std::vector<PathPoint> after(std::make_move_iterator(points_.begin() + ptrdiff_t(tail)),
                                std::make_move_iterator(points_.end()));
   fresh = fresh_ > tail ? fresh_ - tail : 0;
@@ -283,7 +344,7 @@ std::vector<PathPoint> ToolPathMemory::takeAfter(const PathEdit &edit, size_t &f
 /// Known points of an earlier run are points of this one, too, which has come to the first of them
 /// in the same state, or (`isAlike` false) only to its place: then that one is left out.
 void ToolPathMemory::takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met,
-                              int64_t by, bool isAlike) {
+                              bool isAlike) {
   const ToolPathChange old = known.front().before, &now = met.before;
   const uint64_t detours = met.detours - known.front().detours;
   for (PathPoint &point : known) {
@@ -298,34 +359,28 @@ void ToolPathMemory::takeOver(llvm::MutableArrayRef<PathPoint> known, const Path
     move(point.before.sections, old.sections, now.sections);
     move(point.before.operations, old.operations, now.operations);
     point.rest.sections.operations += now.operations.first - old.operations.first;
-    point.rest.sections.next = uint32_t(point.rest.sections.next + by);
-    point.next = uint32_t(point.next + by);
-    point.reach = uint32_t(point.reach + by);
-    point.low = uint32_t(point.low + by); // of at least one block
     point.detours += detours;
   }
-  known.front().low = met.low;
+  known.front().text = met.text;
   for (PathPoint &point : known.drop_front(isAlike ? 0 : 1))
     points_.push_back(std::move(point));
-  if (low_ != Marker::notYet)
-    low_ = uint32_t(low_ + by);
   detours_ += detours;
 }
 
 /// The run has come to one of the known points, of which the first ones are fresh.
 void ToolPathMemory::meet(const Marker &marker, llvm::MutableArrayRef<PathPoint> known,
-                          size_t fresh, int64_t by) {
+                          size_t fresh) {
   const size_t passed = marker.passed();
   if (!marker.isAlike()) {
     points_.push_back(*marker.meeting());
     fresh_ = points_.size();
     stale_ = true;
-    takeOver(known.drop_front(passed), *marker.meeting(), by, false);
+    takeOver(known.drop_front(passed), *marker.meeting(), false);
     return;
   }
   stale_ &= passed < fresh;
   const size_t freshNow = points_.size() + fresh - passed;
-  takeOver(known.drop_front(passed), *marker.meeting(), by, true);
+  takeOver(known.drop_front(passed), *marker.meeting(), true);
   fresh_ = stale_ ? freshNow : points_.size();
 }
 
@@ -334,6 +389,14 @@ std::optional<ToolPathChange> ToolPathMemory::followEdit(const Run &run, const P
   files_->of(run.unit.source.id());
   size_t freshAfter = 0;
   std::vector<PathPoint> after = takeAfter(edit, freshAfter);
+  const bool movesLines = edit.lines != 0 && llvm::any_of(points_, [&](const PathPoint &point) {
+                            return comesAfter(point.text, edit);
+                          });
+  for (PathPoint &point : points_)
+    moveBy(point, edit);
+  for (PathPoint &point : after)
+    moveBy(point, edit);
+  text_.moveBy(edit);
   const PathPoint *const from = points_.empty() ? nullptr : &points_.back();
   ToolPathChange change = from ? from->before : ToolPathChange();
   change.whole = false;
@@ -341,11 +404,12 @@ std::optional<ToolPathChange> ToolPathMemory::followEdit(const Run &run, const P
   change.line = edit.line;
   change.lines = edit.lines;
   CutPath old(path_, change);
+  if (movesLines)
+    moveLines(path_, change);
   programmed_->resume(from ? from->rest : start_);
   if (centre_)
     centre_->resume(from ? from->centreRest : CurveWriter::nowhere);
-  const int64_t by = int64_t(edit.change.added) - (edit.change.end - edit.change.begin);
-  Marker marker(*this, run, {after, by});
+  Marker marker(*this, run, after);
   runFrom(run, from, marker);
   if (run.cancel && *run.cancel) {
     clear();
@@ -358,9 +422,9 @@ std::optional<ToolPathChange> ToolPathMemory::followEdit(const Run &run, const P
   if (marker.meeting()) {
     const auto known = llvm::makeMutableArrayRef(after.data(), after.size());
     old.append(after[marker.passed()].before, change);
-    meet(marker, known, freshAfter, by);
+    meet(marker, known, freshAfter);
   } else {
-    low_ = marker.low();
+    text_ = marker.text();
     detours_ = marker.detours();
     stale_ = false;
     fresh_ = points_.size();
@@ -372,7 +436,8 @@ std::optional<ToolPathChange> ToolPathMemory::followEdit(const Run &run, const P
 std::optional<ToolPathChange>
 ToolPathMemory::follow(Project &project, FileUnit &unit, const AnalysisLimits &limits,
                        const PathEdit *edit, const std::atomic<bool> *cancel, uint64_t piece) {
-  const Run run{project, unit, limits, cancel, piece};
+  const bool wasCut = path_.end.kind == PathEnd::Cut;
+  const Run run{project, unit, limits, cancel, wasCut ? 0 : piece, wasCut};
   if (!edit || !mayBeCompared() || dialect_ != unit.dialect) {
     const bool withCentre = centre_ && dialect_ == unit.dialect;
     dialect_ = unit.dialect;
@@ -383,10 +448,7 @@ ToolPathMemory::follow(Project &project, FileUnit &unit, const AnalysisLimits &l
     fresh_ = 0;
     stale_ = false;
   }
-  PathEdit goOn = *edit;
-  if (stale_ && edit->change.begin == edit->change.end && edit->change.added == 0)
-    goOn.tail = std::min(goOn.tail, points_[fresh_ - 1].next);
-  return followEdit(run, goOn);
+  return followEdit(run, *edit);
 }
 
 } // namespace ncvet

@@ -6,6 +6,8 @@
 #include "analyzer/trace/tracer.h"
 #include "formats/text/text_change.h"
 
+#include "llvm/ADT/SmallVector.h"
+
 #include <memory>
 
 namespace ncvet {
@@ -18,6 +20,22 @@ struct PathEdit {
   int64_t lines = 0; ///< so many lines it has put in; below zero: taken out
 };
 
+/// Text of the file that has been executed: blocks of the main program, and the programs that it
+/// has called.
+struct ExecutedText {
+  struct Range {
+    uint32_t begin = 0, end = 0;
+  };
+
+  Range main;                           ///< of the main program, with what lies between its blocks
+  llvm::SmallVector<Range, 2> programs; ///< others, each as a whole, by its place
+
+  /// Whether an edit leaves all of it as it was.
+  bool isClearOf(const PathEdit &edit) const;
+  /// The edit, which leaves it as it was, may have moved it.
+  void moveBy(const PathEdit &edit);
+};
+
 /// Between two blocks of the main program of a file that simply follow one another: all that its
 /// path depends on from there.
 struct PathPoint {
@@ -28,26 +46,25 @@ struct PathPoint {
   PathCollector::Rest rest;
   CurveWriter::Point centreRest = CurveWriter::nowhere;
   ToolPathChange before; ///< of each list how many elements there were, as `first`
-  uint32_t reach = 0;    ///< text of the file up to here had been executed
-  uint32_t low = 0;      ///< and no block before this one, since the point before
-  uint64_t detours = 0;  ///< jumps, and calls in the file itself
+  ExecutedText text;     ///< since the point before
+  uint64_t detours = 0;  ///< jumps: where they lead is looked up in text that is not executed
 };
 
 /// Follows the main program of a file, and after each edit of the file again. From time to time it
 /// keeps a point from which the path can be taken up: the next run begins at the last one before
 /// the edit, and ends at the first one after it that it reaches in the same state.
 ///
-/// Where a program jumps or calls programs of its own file, all is followed: only of one that goes
-/// straight on, or round in loops, it is known that it does not come by the edit once more.
+/// Where a program jumps, all is followed: only of one that goes straight on, round in loops, or
+/// through other programs of its file, it is known that it does not come by the edit once more.
 class ToolPathMemory {
 public:
   /// `mostMoves`: a longer path is cut.
   explicit ToolPathMemory(size_t mostMoves) : most_(mostMoves) {}
 
   /// Brings the path up to the text of `unit`. `edit`: what has become of the text that was
-  /// followed last; none: it was another one, or something else has changed that the path depends
-  /// on. Programs of other files are those of the last time. Nothing when `cancel` was set
-  /// meanwhile: the next time all is followed.
+  /// followed last; none: it was another one, it held other programs, or something else has changed
+  /// that the path depends on. Programs of other files are those of the last time. Nothing when
+  /// `cancel` was set meanwhile: the next time all is followed.
   ///
   /// `piece`, when not zero: where an edit changes all that follows, about so many blocks are
   /// executed, or moves made, and the rest of the path stays as it was before the edit. The next
@@ -73,9 +90,8 @@ private:
   std::optional<ToolPathChange> followAll(const Run &run, bool withCentre);
   std::optional<ToolPathChange> followEdit(const Run &run, const PathEdit &edit);
   std::vector<PathPoint> takeAfter(const PathEdit &edit, size_t &fresh);
-  void takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met, int64_t by,
-                bool isAlike);
-  void meet(const Marker &marker, llvm::MutableArrayRef<PathPoint> known, size_t fresh, int64_t by);
+  void takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met, bool isAlike);
+  void meet(const Marker &marker, llvm::MutableArrayRef<PathPoint> known, size_t fresh);
   void runFrom(const Run &run, const PathPoint *from, Marker &marker);
   bool mayBeCompared() const;
   bool mayBeTakenUp() const;
@@ -90,7 +106,7 @@ private:
   std::vector<PathPoint> points_;         ///< as they were passed
   size_t fresh_ = 0;                      ///< so many of them in the text as it is now
   bool stale_ = false;                    ///< the path after these is that of an earlier text
-  uint32_t low_ = 0;                      ///< no block before this one after the last point
+  ExecutedText text_;                     ///< after the last point
   uint64_t detours_ = 0;                  ///< of the whole path
   size_t settingsAtFirst_ = 0;            ///< when all was followed last
   bool whole_ = false;                    ///< the path was followed to its end

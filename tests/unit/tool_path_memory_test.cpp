@@ -149,8 +149,10 @@ public:
     Project project(sources, dialect_, machine_);
     FileUnit &unit = project.unit(file);
     std::optional<PathEdit> edit;
-    if (change)
+    const std::string programs = programsOf(unit.index);
+    if (change && programs == std::exchange(programs_, programs))
       edit = editOf(*change, text);
+    programs_ = programs;
     const auto told = memory_.follow(project, unit, {}, edit ? &*edit : nullptr, nullptr, piece_);
     ASSERT_TRUE(told);
     change_ = *told;
@@ -198,6 +200,15 @@ public:
 private:
   static constexpr size_t most = 200'000;
 
+  /// Of another text than that of the same programs all is followed anew.
+  static std::string programsOf(const FileIndex &index) {
+    std::string programs;
+    for (const ProgramInfo &program : index.programs())
+      programs += std::to_string(program.number) + program.name +
+                  std::to_string(int(program.kind)) + (program.hasHeader() ? "\n" : "?\n");
+    return programs;
+  }
+
   PathEdit editOf(const TextChange &change, const std::string &text) const {
     const LineIndex before(text_), after(text);
     PathEdit edit{change, before.lineBegin(change.end), before.lineOf(change.end), 0};
@@ -213,7 +224,7 @@ private:
   ToolPathMemory memory_{most};
   ToolPath client_;
   ToolPathChange change_;
-  std::string text_;
+  std::string text_, programs_;
   uint64_t piece_ = 0;
   unsigned pieces_ = 0, mostPieces_ = ~0u; ///< of the last edit
 };
@@ -300,6 +311,19 @@ TEST(ToolPathMemory, APathThatIsCutIsComparedWithTheOneBefore) {
   EXPECT_LT(part.change().moves.added, 3u);
 }
 
+TEST(ToolPathMemory, AnEditBeforeTheCutIsFollowedUpToWhereNothingElseIsAnother) {
+  Edited part("fanuc-mill");
+  part.follow(surface(210'000), nullptr);
+  ASSERT_EQ(part.memory().path().end.kind, PathEnd::Cut);
+  part.replace("X7.0", "X7.9");
+  EXPECT_LT(part.memory().executed(), 4'000u);
+  part.replace("X8.1", "X8.2\nX8.3");
+  EXPECT_GT(part.memory().executed(), 100'000u) << "it is cut one move before";
+  part.replace("Z-1.", "Z-1.5");
+  part.askInPieces(10'000);
+  part.replace("G90", "G91");
+}
+
 TEST(ToolPathMemory, ASubprogramThatIsEditedChangesEachCall) {
   Edited part("fanuc-mill");
   std::string text = surface(3'000);
@@ -320,6 +344,43 @@ TEST(ToolPathMemory, OfACoordinateInASubprogramOnlyThePlacesAreTold) {
   part.replace("Y3.5", "\nY3.5");
   EXPECT_TRUE(part.change().moved.empty());
   part.replace("Y3.5", "F300. Y3.6");
+}
+
+/// A main program that calls subprograms, the first of which calls the last.
+std::string calling(unsigned programs, unsigned blocks) {
+  std::string text = "O0001\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\n"
+                     "G1 Z-1. F200.\n",
+              bodies;
+  for (unsigned i = 0; i < programs; ++i) {
+    text += "G0 X" + std::to_string(i) + ". Y0.\nM98 P" + std::to_string(1000 + i) + "\nG0 Z5.\n";
+    bodies += "O" + std::to_string(1000 + i) + "\nG1 Z-1. F200.\n";
+    for (unsigned block = 0; block < blocks; ++block)
+      bodies += "X" + std::to_string(block % 90) + ".1 Y" + std::to_string(i) + ".\n";
+    bodies += i % 7 ? "M99\n" : "M98 P" + std::to_string(1000 + programs - 1) + "\nM99\n";
+  }
+  return text + "M30\n" + bodies;
+}
+
+TEST(ToolPathMemory, AnEditInASubprogramIsFollowedInItsCallsAlone) {
+  Edited part("fanuc-mill");
+  part.follow(calling(20, 600), nullptr);
+  part.replace("X7.1 Y10.", "X7.2 Y10.");
+  EXPECT_EQ(part.change().moves.added, 1u);
+  EXPECT_LT(part.memory().executed(), 4'000u);
+  part.replace("X8.1 Y10.", "X8.2\nY10.");
+  EXPECT_LT(part.memory().executed(), 4'000u);
+  part.replace("G0 X12. Y0.", "G0 X12.5\nY0.");
+  EXPECT_LT(part.memory().executed(), 4'000u);
+  part.replace("X9.1 Y19.", "X9.3 Y19.");
+  EXPECT_GT(part.memory().executed(), 10'000u) << "it is called from the first call on";
+}
+
+TEST(ToolPathMemory, AModeBeforeCallsIsToldInPieces) {
+  Edited part("fanuc-mill");
+  part.follow(calling(20, 600), nullptr);
+  part.askInPieces(2'000);
+  part.replace("G90", "G91");
+  EXPECT_GT(part.pieces(), 3u);
 }
 
 TEST(ToolPathMemory, AToolWithItsRadiusHasBothPaths) {
@@ -389,6 +450,23 @@ std::vector<Case> cases() {
                      "#1=0\no100 while [#1 lt 30]\nG1 X#1\n#1=[#1+1]\no100 endwhile\n" +
                      times(900, [&](unsigned i) { return "G1 X" + n(i % 70) + " Z-1\n"; }) +
                      "M2\n"});
+  all.push_back({"fanuc-mill", "calls", calling(12, 400)});
+  all.push_back(
+      {"linuxcnc", "subs",
+       times(6,
+             [&](unsigned i) {
+               return "o<s" + n(i) + "> sub\n" +
+                      times(300,
+                            [&](unsigned k) { return "G1 X" + n(k % 50) + " Y" + n(i) + "\n"; }) +
+                      "o<s" + n(i) + "> endsub\n";
+             }) +
+           "G17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0 Y0 S900 M3\nG43 H1 Z5\n"
+           "G1 Z-1 F100\n" +
+           times(18,
+                 [&](unsigned i) {
+                   return "G0 X" + n(i) + "\no<s" + n(i % 6) + "> call\nG0 Z5\nG1 Z-1\n";
+                 }) +
+           "M2\n"});
   return all;
 }
 
@@ -412,7 +490,7 @@ TEST_P(RandomEditsOf, ThePathIsThatOfTheTextAsItIsNow) {
   EXPECT_GT(taken, 20u) << "most edits change a part of the path";
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, RandomEditsOf, testing::Range<size_t>(0, 5));
+INSTANTIATE_TEST_SUITE_P(Programs, RandomEditsOf, testing::Range<size_t>(0, 7));
 
 } // namespace
 } // namespace ncvet
