@@ -69,31 +69,74 @@ private:
   unsigned count_ = 0;
 };
 
+/// Whether fixes are tried when one is chosen: the text is long, and the client asks then for what
+/// an action changes.
+bool triesLater(const View &view) {
+  return view.client.resolvesEdits && FixVerdicts::isLong(view.snapshot.text());
+}
+
+Json editOf(const Problem &problem, const View &view) {
+  Json edit = {{"changes", Json::parse(problem.changes)}};
+  if (!problem.safe && view.client.annotatesChanges)
+    annotate(edit, view.document, [&](const std::string &) -> EditNote {
+      return {"unsafe", "Not safe: the program may move otherwise afterwards", problem.fixTitle,
+              true};
+    });
+  return edit;
+}
+
+/// An action whose edit is left open.
+Json openAction(std::string title, const Problem &problem, const View &view, bool all) {
+  return {{"title", std::move(title)},
+          {"kind", "quickfix"},
+          {"data",
+           {{"uri", view.document.uri},
+            {"version", view.document.version},
+            {"rule", allRules()[problem.rule].info.id.str()},
+            {"begin", problem.begin},
+            {"end", problem.end},
+            {"all", all}}}};
+}
+
+std::string titleOfAll(const Problem &problem, size_t count) {
+  return ("Fix all " + llvm::Twine(count) + " findings of " + allRules()[problem.rule].info.id)
+      .str();
+}
+
+/// The safe fixes of the rule of a finding, as far as they may be offered.
+Gathered fixesOfItsRule(const Problem &problem, const CheckResult &result,
+                        const FixVerdicts &verdicts) {
+  Gathered all;
+  for (const Problem &other : result.problems)
+    if (other.rule == problem.rule && other.safe && verdicts.holds(other))
+      all.add(Json::parse(other.changes));
+  return all;
+}
+
 void fixesOfFinding(const Problem &problem, const CheckResult &result, const View &view,
                     const FixVerdicts &verdicts, Json &actions) {
   if (problem.fixTitle.empty() || !verdicts.holds(problem))
     return;
-  Json fix = action(problem.fixTitle, "quickfix", Json::parse(problem.changes));
-  if (!problem.safe && view.client.annotatesChanges)
-    annotate(fix["edit"], view.document, [&](const std::string &) -> EditNote {
-      return {"unsafe", "Not safe: the program may move otherwise afterwards", problem.fixTitle,
-              true};
-    });
+  const bool isOpen = triesLater(view) && !verdicts.knows(problem);
+  Json fix = isOpen ? openAction(problem.fixTitle, problem, view, false)
+                    : Json{{"title", problem.fixTitle},
+                           {"kind", "quickfix"},
+                           {"edit", editOf(problem, view)}};
   fix["diagnostics"] =
       Json::array({parseMessage(problem.diagnostic)}); // `{one}` is no list to Clang
   fix["isPreferred"] = problem.safe;
   actions.push_back(std::move(fix));
   if (!problem.safe)
     return;
-  Gathered all;
-  for (const Problem &other : result.problems)
-    if (other.rule == problem.rule && other.safe && verdicts.holds(other))
-      all.add(Json::parse(other.changes));
-  if (all.count() > 1)
-    actions.push_back(action(
-        ("Fix all " + llvm::Twine(all.count()) + " findings of " + allRules()[problem.rule].info.id)
-            .str(),
-        "quickfix", all.take()));
+  if (isOpen) {
+    const auto count = size_t(llvm::count_if(result.problems, [&](const Problem &other) {
+      return other.rule == problem.rule && other.safe;
+    }));
+    if (count > 1)
+      actions.push_back(openAction(titleOfAll(problem, count), problem, view, true));
+  } else if (Gathered all = fixesOfItsRule(problem, result, verdicts); all.count() > 1) {
+    actions.push_back(action(titleOfAll(problem, all.count()), "quickfix", all.take()));
+  }
 }
 
 void suppressions(const Problem &problem, View &view, Json &actions) {
@@ -195,18 +238,15 @@ std::vector<const Problem *> problemsIn(const CheckResult &result, const std::st
 
 /// What mends a finding comes before what silences one. Of what the check of a caller has found
 /// here no fix is offered: the fixes of a file are those of its own check.
-void actionsOfFindings(View &view, Session &session,
-                       llvm::ArrayRef<std::shared_ptr<const CheckResult>> results,
-                       FixVerdicts &verdicts, const Json &asked,
+void actionsOfFindings(View &view, llvm::ArrayRef<std::shared_ptr<const CheckResult>> results,
+                       const FixVerdicts &verdicts, const Json &asked,
                        std::pair<uint32_t, uint32_t> range, Json &actions) {
   const std::shared_ptr<const CheckResult> &own = results.front();
   std::vector<const Problem *> problems = problemsIn(*own, view.document.path, range);
   const bool mends = wants(asked, "quickfix");
-  if (mends) {
-    verdicts.decide(view, session, own, withAllOfTheirRules(problems, *own));
+  if (mends)
     for (const Problem *problem : problems)
       fixesOfFinding(*problem, *own, view, verdicts, actions);
-  }
   for (const auto &result : results.drop_front())
     for (const Problem *problem : problemsIn(*result, view.document.path, range))
       if (llvm::none_of(problems, [&](const Problem *known) {
@@ -221,7 +261,16 @@ void actionsOfFindings(View &view, Session &session,
       actions.push_back(explanation(allRules()[problem->rule].info, view));
 }
 
-Json actionsAt(Context &context, View &view, Session &session, FixVerdicts &verdicts,
+/// Finds out which fixes in the range may be offered, or gives what is to be done for that.
+Worker::Task tryFixes(Context &context, View &view, FixVerdicts &verdicts, const Json &params) {
+  const auto result = context.checks->wait(view.document, view.cancelled);
+  if (!result || triesLater(view) || !wants(params.at("context"), "quickfix"))
+    return nullptr;
+  const auto problems = problemsIn(*result, view.document.path, view.range(params));
+  return verdicts.decide(view, result, withAllOfTheirRules(problems, *result));
+}
+
+Json actionsAt(Context &context, View &view, Session &session, const FixVerdicts &verdicts,
                const Json &params) {
   Json actions = Json::array();
   const auto result = context.checks->wait(view.document, view.cancelled);
@@ -231,7 +280,7 @@ Json actionsAt(Context &context, View &view, Session &session, FixVerdicts &verd
   const Json &asked = params.at("context");
   std::vector<std::shared_ptr<const CheckResult>> results{result};
   llvm::append_range(results, context.problems.othersThatTellOf(view.document.path));
-  actionsOfFindings(view, session, results, verdicts, asked, {begin, end}, actions);
+  actionsOfFindings(view, results, verdicts, asked, {begin, end}, actions);
   if (begin < end)
     rewritingsOf(
         view, begin, end, [&](llvm::StringRef kind) { return wants(asked, kind); },
@@ -248,13 +297,54 @@ Json actionsAt(Context &context, View &view, Session &session, FixVerdicts &verd
   return actions;
 }
 
+/// The finding whose fix an action makes; null: it is not there.
+const Problem *problemOf(const CheckResult *result, const Json &data) {
+  if (!result)
+    return nullptr;
+  const auto found = llvm::find_if(result->problems, [&](const Problem &problem) {
+    return problem.path == result->document.path && problem.begin == data.at("begin") &&
+           problem.end == data.at("end") &&
+           allRules()[problem.rule].info.id == data.at("rule").get<std::string>();
+  });
+  return found == result->problems.end() ? nullptr : &*found;
+}
+
+/// Tries the fix that was chosen, and gives what it changes.
+void resolveFix(Context &context, const std::shared_ptr<FixVerdicts> &verdicts,
+                const Document &document, const Json &action, Reply reply) {
+  const bool all = action.at("data").at("all");
+  const auto attempt = [&context, verdicts, action, all](View &view) -> Worker::Task {
+    const auto result = context.checks->wait(view.document, view.cancelled);
+    const Problem *const problem = problemOf(result.get(), action.at("data"));
+    if (!problem)
+      return nullptr;
+    return verdicts->decide(view, result,
+                            all ? withAllOfTheirRules(problem, *result)
+                                : std::vector<const Problem *>{problem});
+  };
+  const auto answer = [&context, verdicts, action, all](View &view) -> llvm::Expected<Json> {
+    const auto result = context.checks->wait(view.document, view.cancelled);
+    const Problem *const problem = problemOf(result.get(), action.at("data"));
+    if (!problem || (!all && !verdicts->holds(*problem)))
+      return failure("the fix was tried, and does not mend the finding here");
+    Json whole = action;
+    whole["edit"] = all ? Json{{"changes", fixesOfItsRule(*problem, *result, *verdicts).take()}}
+                        : editOf(*problem, view);
+    return whole;
+  };
+  context.answerAfterCheck(document, std::move(reply), answer, attempt);
+}
+
 /// Gives an action the edit that was left open.
-void resolve(Context &context, const Json &action, Reply reply) {
+void resolve(Context &context, const std::shared_ptr<FixVerdicts> &verdicts, const Json &action,
+             Reply reply) {
   const Json &data = action.at("data");
   const std::string uri = data.at("uri");
   const Document *document = context.documents.find(uri);
   if (!document || document->version != data.at("version"))
     return reply.fail(RpcError::ContentModified, "the document has changed");
+  if (data.contains("rule"))
+    return resolveFix(context, verdicts, *document, action, std::move(reply));
   context.answerFor(*document, std::move(reply),
                     [action, session = context.session(*document)](View &view) {
                       Json made = Json::array(), whole = action;
@@ -306,11 +396,15 @@ void bindActions(Context &context) {
             *document, std::move(reply),
             [&context, params, verdicts, session = context.session(*document)](View &view) {
               return actionsAt(context, view, *session, *verdicts, params);
+            },
+            [&context, params, verdicts](View &view) {
+              return tryFixes(context, view, *verdicts, params);
             });
       });
-  context.rpc.onRequest("codeAction/resolve", [&context](const Json &params, Reply reply) {
-    resolve(context, params, std::move(reply));
-  });
+  context.rpc.onRequest("codeAction/resolve",
+                        [&context, verdicts](const Json &params, Reply reply) {
+                          resolve(context, verdicts, params, std::move(reply));
+                        });
   context.rpc.onRequest("workspace/executeCommand", [&context](const Json &params, Reply reply) {
     const std::string command = params.at("command");
     if (command == "ncvet.explain")

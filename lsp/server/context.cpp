@@ -299,7 +299,7 @@ Context::Asked Context::asked(const Document &document, Reply reply) {
   return {std::make_shared<Reply>(std::move(reply)), job(document), settings, folders};
 }
 
-void Context::answerNow(const Asked &asked, const Answer &answer) {
+void Context::withView(const Asked &asked, llvm::function_ref<void(View &)> use) {
   const auto &[held, job, settings, folders] = asked;
   if (held->cancelled())
     return held->fail(RpcError::RequestCancelled, "cancelled");
@@ -321,15 +321,28 @@ void Context::answerNow(const Asked &asked, const Answer &answer) {
               job,
               *states};
     try {
-      auto json = answer(view);
-      if (json)
-        (*held)(std::move(*json));
-      else
-        held->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));
+      use(view);
     } catch (const Json::exception &) {
       held->fail(RpcError::InvalidParams, "the parameters are wrong");
     }
   });
+}
+
+void Context::answerNow(const Asked &asked, const Answer &answer) {
+  withView(asked, [&](View &view) {
+    auto json = answer(view);
+    if (json)
+      (*asked.reply)(std::move(*json));
+    else
+      asked.reply->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));
+  });
+}
+
+void Context::doFirst(const Asked &asked, const Worker::Task &task) {
+  if (asked.reply->cancelled())
+    return;
+  if (const auto crash = runGuarded(task))
+    log(asked.job.document.path + ": a request failed: " + *crash);
 }
 
 void Context::answerOrFail(const Document &document, Reply reply, Answer answer) {
@@ -338,12 +351,23 @@ void Context::answerOrFail(const Document &document, Reply reply, Answer answer)
   });
 }
 
-void Context::answerAfterCheck(const Document &document, Reply reply,
-                               std::function<Json(View &)> answer) {
-  waiting->post([this, asked = asked(document, std::move(reply)), answer = std::move(answer)] {
+void Context::answerAfterCheck(const Document &document, Reply reply, Answer answer,
+                               std::function<Worker::Task(View &)> before) {
+  const auto now = [this, answer = std::move(answer)](const Asked &asked) {
+    answerNow(asked, answer);
+  };
+  waiting->post([this, asked = asked(document, std::move(reply)), now, before = std::move(before)] {
     checks->wait(asked.job.document, asked.reply->cancelled());
-    features->post([this, asked, answer] {
-      answerNow(asked, [&](View &view) { return llvm::Expected<Json>(answer(view)); });
+    features->post([this, asked, now, before] {
+      Worker::Task first;
+      if (before && !asked.reply->cancelled())
+        withView(asked, [&](View &view) { first = before(view); });
+      if (!first)
+        return now(asked);
+      workspace->post([this, asked, now, first] {
+        doFirst(asked, first);
+        features->post([asked, now] { now(asked); });
+      });
     });
   });
 }

@@ -86,8 +86,10 @@ public:
   void answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer);
   /// The same; an error is one that the user reads.
   void answerOrFail(const Document &document, Reply reply, Answer answer);
-  /// The same, when the check of this version is over: nothing else waits for that.
-  void answerAfterCheck(const Document &document, Reply reply, std::function<Json(View &)> answer);
+  /// The same, when the check of this version is over: nothing else waits for that. `before` may
+  /// find something that is to be done first, on the thread for what takes long.
+  void answerAfterCheck(const Document &document, Reply reply, Answer answer,
+                        std::function<Worker::Task(View &)> before = nullptr);
   /// Runs `answer` with what the check of this version has found, on the thread that waits for
   /// checks.
   void withCheck(const Document &document, Reply reply,
@@ -163,8 +165,11 @@ private:
     std::vector<std::string> folders;
   };
   Asked asked(const Document &document, Reply reply);
-  /// On the thread of features.
+  /// On the thread of features. `use` may reply.
+  void withView(const Asked &asked, llvm::function_ref<void(View &)> use);
   void answerNow(const Asked &asked, const Answer &answer);
+  /// On the thread for what takes long.
+  void doFirst(const Asked &asked, const Worker::Task &task);
   /// Runs `answer`, which replies, on the thread of features; after a crash, replies that.
   void answerGuarded(Reply &reply, const std::string &path, llvm::function_ref<void()> answer);
   /// Of the thread of features: the snapshots that were used last.

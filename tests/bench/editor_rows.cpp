@@ -32,14 +32,12 @@ void change(LanguageClient &client, const Json &range, const std::string &text, 
                  {"contentChanges", {{{"range", range}, {"text", text}}}}});
 }
 
-/// How many actions an editor is offered at a place.
-size_t actionsAt(LanguageClient &client, const Json &place) {
-  return client
-      .request("textDocument/codeAction",
-               {{"textDocument", documentOf(openPath)},
-                {"range", {{"start", place}, {"end", place}}},
-                {"context", {{"diagnostics", Json::array()}, {"triggerKind", 2}}}})
-      .size();
+/// What an editor is offered at a place.
+Json actionsAt(LanguageClient &client, const Json &place) {
+  return client.request("textDocument/codeAction",
+                        {{"textDocument", documentOf(openPath)},
+                         {"range", {{"start", place}, {"end", place}}},
+                         {"context", {{"diagnostics", Json::array()}, {"triggerKind", 2}}}});
 }
 
 bool lightbulbIn(const Bench &bench, size_t lines, const std::string &blocks) {
@@ -51,27 +49,33 @@ bool lightbulbIn(const Bench &bench, size_t lines, const std::string &blocks) {
       {{"dialect", "haas-mill"}});
   client.open(openPath, text);
   const Json found = client.diagnostics(openPath);
-  Times moves(client.process()), edited(client.process());
+  Times moves(client.process()), edited(client.process()), chosen(client.process());
   size_t offered = 0;
   for (unsigned i = 0; i < bench.edits; ++i) {
     // Every second place is a finding.
     const Json place = i % 2 ? found[i * 7 % found.size()]["range"]["start"]
                              : at(unsigned(lines / (bench.edits + 2) * (i + 1)), 3);
     moves.begin();
-    offered += actionsAt(client, place);
+    offered += actionsAt(client, place).size();
     moves.end();
   }
   const Json last = positionOf(text, text.rfind("G0 Z50.") + 6);
-  for (unsigned i = 0; i < std::min(bench.edits, 40u); ++i) {
+  for (unsigned i = 0; i < std::min(bench.edits, 20u); ++i) {
     change(client, {{"start", last}, {"end", last}}, "1", int(i) + 2);
     client.diagnostics(openPath, int(i) + 2);
     edited.begin();
-    offered += actionsAt(client, found[i * 7 % found.size()]["range"]["start"]);
+    const Json actions = actionsAt(client, found[i * 7 % found.size()]["range"]["start"]);
     edited.end();
+    if (actions.empty() || actions[0].contains("edit"))
+      continue;
+    chosen.begin();
+    client.request("codeAction/resolve", actions[0]);
+    chosen.end();
   }
-  constexpr double goal = 50, afterAnEdit = 100;
+  constexpr double goal = 50, afterAnEdit = 100, whenChosen = 1000;
   printRow(("lightbulb: a move of the cursor, " + blocks).c_str(), goal, moves);
   printRow(("lightbulb: at a finding after an edit, " + blocks).c_str(), afterAnEdit, edited);
+  printRow(("lightbulb: a fix is tried and made, " + blocks).c_str(), whenChosen, chosen);
   return offered > 0 && client.shutDown() == 0;
 }
 

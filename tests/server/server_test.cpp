@@ -198,22 +198,65 @@ TEST(LanguageServer, AQuickFixAtTheTargetOfAJumpMendsItsFinding) {
   EXPECT_EQ(codes(client.diagnostics(path, 2)), std::vector<std::string>());
 }
 
-TEST(LanguageServer, AFixThatTheCommandLineWouldNotMakeIsNotOffered) {
+/// A program that leaves a cycle on where a jump leads, after so many blocks: a fix would not help.
+std::string unmended(int blocks) {
+  std::string text = "%\nO1\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\n"
+                     "G43 H1 Z5.\nG1 Z-1. F200.\n";
+  for (int i = 0; i < blocks; ++i)
+    text += "X" + std::to_string(i % 700) + ".125 Y" + std::to_string(i % 90) + ".25\n";
+  return text + "G0 Z5.\nG81 X10. Y10. Z-5. R2. F100.\nIF [#500 EQ 1] GOTO 100\nX20.\n"
+                "G0 G80 Z50.\n/N100 T2 M6\nG54 G0 X0. Y0. S900 M3\nG43 H2 Z5.\n"
+                "G0 Z50.\nM30\n%\n";
+}
+
+/// A text of so many blocks is longer than a megabyte.
+constexpr int manyBlocks = 80'000;
+
+Json quickFixes(LanguageClient &client, const std::string &path, const Json &diagnostic) {
+  return client.request("textDocument/codeAction",
+                        {{"textDocument", documentOf(path)},
+                         {"range", diagnostic["range"]},
+                         {"context", {{"diagnostics", {diagnostic}}, {"only", {"quickfix"}}}}});
+}
+
+class UnmendedAfter : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Blocks, UnmendedAfter, testing::Values(0, manyBlocks));
+
+TEST_P(UnmendedAfter, AFixThatTheCommandLineWouldNotMakeIsNotOffered) {
   LanguageClient client;
   client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
   const std::string path = "/nowhere/jump.nc";
-  client.open(path, "%\nO1\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\n"
-                    "G43 H1 Z5.\nG81 X10. Y10. Z-5. R2. F100.\nIF [#500 EQ 1] GOTO 100\nX20.\n"
-                    "G0 G80 Z50.\n/N100 T2 M6\nG54 G0 X0. Y0. S900 M3\nG43 H2 Z5.\nG0 Z50.\n"
-                    "M30\n%\n");
+  client.open(path, unmended(GetParam()));
   const Json diagnostics = client.diagnostics(path);
+  EXPECT_FALSE(diagnostics.empty());
   for (const Json &diagnostic : diagnostics)
-    for (const Json &action :
-         client.request("textDocument/codeAction",
-                        {{"textDocument", documentOf(path)},
-                         {"range", diagnostic["range"]},
-                         {"context", {{"diagnostics", {diagnostic}}, {"only", {"quickfix"}}}}}))
+    for (const Json &action : quickFixes(client, path, diagnostic))
       EXPECT_EQ(action["title"].get<std::string>().substr(0, 6), "Allow ") << action.dump();
+}
+
+TEST(LanguageServer, AFixInALongTextIsTriedWhenItIsChosen) {
+  LanguageClient client;
+  client.initialize(
+      {{"textDocument", {{"codeAction", {{"resolveSupport", {{"properties", {"edit"}}}}}}}}},
+      {{"dialect", "fanuc-mill"}});
+  const std::string path = "/nowhere/jump.nc";
+  std::string text = unmended(manyBlocks);
+  text.insert(text.find("G1 Z-1."), "X1. X1.\n");
+  text.insert(text.find("G1 Z-1."), "X2. X2.\n");
+  client.open(path, text);
+  std::vector<std::string> made, refused;
+  for (const Json &diagnostic : client.diagnostics(path))
+    for (const Json &action : quickFixes(client, path, diagnostic)) {
+      if (action.contains("edit"))
+        continue; // what silences the finding
+      const Json whole = client.answer(client.ask("codeAction/resolve", action));
+      (whole.contains("result") ? made : refused).push_back(action["title"]);
+      if (whole.contains("result")) {
+        EXPECT_FALSE(whole["result"]["edit"]["changes"]["file://" + path].empty());
+      }
+    }
+  EXPECT_EQ(made.size(), 2u) << "the first block, and both: then the second is known";
+  EXPECT_EQ(refused.size(), 1u);
 }
 
 TEST(LanguageServer, AnswersWithTheUriThatTheClientWrites) {
