@@ -68,6 +68,7 @@ std::optional<Exits> CalledBodies::recall(const Region &region, Remembered &body
   noteFiles(effect.files);
   for (size_t i = 0; i < exits.size(); ++i) {
     exits[i].live.path = live.path;
+    exits[i].live.decided = live.decided;
     memo->leadOn(live.state, i, exits[i].live.state);
   }
   const unsigned allowed = region.unit.dialect->limits.callDepth;
@@ -88,16 +89,19 @@ bool CalledBodies::isWorthLooking(Remembered &body) {
   return body.hasRoom() || ++body.inVain <= mostInVain || body.inVain % lookedAtThen == 0;
 }
 
-/// Paths that return to the same place in the same modes are one, and go on along `path`.
-Exits CalledBodies::merge(Exits raw, const PathNode *path) {
+/// Paths that return to the same place in the same modes are one, and go on along `path`, which has
+/// decided what `decided` says.
+Exits CalledBodies::merge(Exits raw, const PathNode *path, const DecidedCondition *decided) {
   if (raw.size() == 1) {
     ++workDone; // as `mergeInto` counts it
     raw.front().live.path = path;
+    raw.front().live.decided = decided;
     return raw;
   }
   std::map<int64_t, Lives> byTarget;
   for (Returned &exit : raw) {
     exit.live.path = path;
+    exit.live.decided = decided;
     mergeInto(byTarget[exit.target], std::move(exit.live));
   }
   Exits exits;
@@ -140,6 +144,8 @@ Exits CalledBodies::runAnew(const Region &region, Live live, Effect &effect) {
   run_.repeated += workOfCall;
   run_.callStack.push_back(keyOf(region));
   const PathNode *path = live.path;
+  // A body does the same for each of its callers, whatever these have decided.
+  const DecidedCondition *const decided = std::exchange(live.decided, nullptr);
   MachineState &state = live.state;
   const StateUse usedBefore = std::exchange(stateUse, StateUse());
   const CutArea::Box cutBefore = state.cutArea.takeAdded();
@@ -148,7 +154,7 @@ Exits CalledBodies::runAnew(const Region &region, Live live, Effect &effect) {
       calls_ && calls_->isRecording() ? std::optional(calls_->startTexts()) : std::nullopt;
   Lives lives;
   lives.push_back(std::move(live));
-  Exits exits = merge(run_.execute(region, std::move(lives)), path);
+  Exits exits = merge(run_.execute(region, std::move(lives)), path, decided);
   run_.callStack.pop_back();
   effect.use = std::exchange(stateUse, usedBefore);
   stateUse |= effect.use;

@@ -33,7 +33,7 @@ private:
                    const Live &live) const;
   std::optional<Exits> recall(const Region &region, Remembered &body, uint64_t sum,
                               unsigned sections, const Live &live);
-  static Exits merge(Exits raw, const PathNode *path);
+  static Exits merge(Exits raw, const PathNode *path, const DecidedCondition *decided);
   Exits runAnew(const Region &region, Live live, Effect &effect);
   Exits runMuted(const Region &region, Live live, Effect &effect);
   Exits runOrTakeOver(const Region &region, Live live, const BodyRun &body, bool isRemembered,

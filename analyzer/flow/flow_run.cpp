@@ -1,6 +1,7 @@
 // What all parts of the flow engine share while one file is run.
 #include "analyzer/flow/flow_run.h"
 
+#include "analyzer/flow/decided_conditions.h"
 #include "formats/readers/quick_reader.h"
 
 #include <algorithm>
@@ -80,6 +81,15 @@ const PathNode *FlowRun::lengthen(const PathNode *before, PathNode::Kind kind, S
   node->before = before;
   node->length = before ? before->length + 1 : 1;
   return node;
+}
+
+const DecidedCondition *FlowRun::decide(const DecidedCondition *before,
+                                        const ConditionKey &condition, bool holds) {
+  constexpr unsigned mostDecided = 16; // a macro that first looks at all its arguments tests more
+  if (!condition.sum || (before && before->length >= mostDecided))
+    return before;
+  return new (paths_.Allocate<DecidedCondition>()) DecidedCondition{
+      condition.sum, holds != condition.negated, before ? before->length + 1 : 1, before};
 }
 
 void FlowRun::cover(const FileUnit &of, uint32_t begin, uint32_t end) {

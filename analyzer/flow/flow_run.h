@@ -16,6 +16,8 @@
 
 namespace ncvet {
 
+struct ConditionKey; // interp/evaluate/condition_key.h
+
 class QuickReader; // formats/readers/quick_reader.h
 
 /// A set that can tell what was put into it, whether it was there already or not.
@@ -95,6 +97,10 @@ struct FlowRun {
   /// A step of the path to a block.
   const PathNode *lengthen(const PathNode *before, PathNode::Kind kind, SourceRange range,
                            int64_t number = 0);
+  /// What a path has decided that goes on where the condition holds, or where it does not; `before`
+  /// is what it had decided before.
+  const DecidedCondition *decide(const DecidedCondition *before, const ConditionKey &condition,
+                                 bool holds);
   void cover(const FileUnit &of, uint32_t begin, uint32_t end);
   /// Something is wrong with where control goes.
   void issue(FlowIssue kind, const Step &step, SourceRange where, SourceRange related = {}) {

@@ -1,6 +1,7 @@
 // Jumps: by words, by statements with targets, and by the operator's answer.
 #include "analyzer/flow/jumps.h"
 
+#include "analyzer/flow/flow_condition.h"
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/expression.h"
 
@@ -31,6 +32,9 @@ bool Jumps::leaveOut(Step &step, bool looksOn) {
   if (flow.condition == Truth::Unknown) {
     run_.fork(step.activation, step.flowRange());
     straight.path = run_.lengthen(straight.path, PathNode::Kind::NoJump, step.flowRange());
+    const ConditionKey key = conditionOf(step);
+    straight.decided = run_.decide(straight.decided, key, false);
+    step.live.decided = run_.decide(step.live.decided, key, true);
   }
   Step other{step.activation, straight,     step.at,     step.before,
              step.block,      step.outcome, step.stretch};

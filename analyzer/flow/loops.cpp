@@ -117,6 +117,7 @@ bool Loops::runsOnceMore(const Step &step, uint32_t target, LoopHead &head, cons
 void Loops::backTo(const Step &step, uint32_t target, Live live, bool certain) {
   Activation &activation = step.activation;
   LoopHead &head = activation.heads[target];
+  live.decided = nullptr; // what another pass decides may be something else
   ++head.visits;
   if (certain && runsForReal(activation, head))
     return runPass(step, target, head, std::move(live));

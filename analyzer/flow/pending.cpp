@@ -1,6 +1,7 @@
 // Where states wait for each other, and how they are joined.
 #include "analyzer/flow/pending.h"
 
+#include "analyzer/flow/decided_conditions.h"
 #include "interp/value/work_meter.h"
 
 namespace ncvet {
@@ -13,8 +14,9 @@ constexpr size_t maxLives = 4;
 /// What it costs to copy or compare a state, and to join two, in plain moves.
 constexpr uint64_t workOfLook = 1, workOfJoin = 6;
 
-/// Levels of block skip that two paths have decided differently are not decided.
-void joinSkip(Live &to, const Live &from) {
+/// What two paths have decided differently is not decided: levels of block skip, and conditions.
+void joinDecisions(Live &to, const Live &from) {
+  to.decided = decidedByBoth(to.decided, from.decided);
   for (size_t i = 0; i < from.skip.size(); ++i)
     if (to.skip[i] != from.skip[i])
       to.skip[i] = SkipSwitch::Unknown;
@@ -26,7 +28,7 @@ void mergeInto(Lives &lives, Live live) {
   workDone += workOfLook * (1 + lives.size());
   for (Live &other : lives)
     if (equal(other.state, live.state)) {
-      joinSkip(other, live);
+      joinDecisions(other, live);
       if (live.path == nullptr || (other.path && live.path->length < other.path->length))
         other.path = live.path;
       return;
@@ -37,6 +39,7 @@ void mergeInto(Lives &lives, Live live) {
     const unsigned differences = modeDifferences(other.state, live.state);
     if (differences == 0 && other.skip == live.skip) {
       other.state = join(other.state, live.state);
+      joinDecisions(other, live);
       workDone += workOfJoin;
       return;
     }
@@ -51,7 +54,7 @@ void mergeInto(Lives &lives, Live live) {
   }
   closest->state = join(closest->state, live.state);
   workDone += workOfJoin;
-  joinSkip(*closest, live);
+  joinDecisions(*closest, live);
 }
 
 /// Whether a path that comes to a block executed before brings nothing new there. With many jumps

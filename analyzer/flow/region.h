@@ -10,6 +10,8 @@
 
 namespace ncvet {
 
+struct DecidedCondition; // analyzer/flow/decided_conditions.h
+
 /// The operator's switch for one level of block skip, as far as a path has decided it.
 enum class SkipSwitch : uint8_t { Unknown, Off, On };
 
@@ -22,6 +24,8 @@ struct Live {
   const PathNode *path = nullptr;
   /// Block skip switch per level, as far as this path has decided it.
   SkipSwitches skip{};
+  /// Conditions that this path has decided.
+  const DecidedCondition *decided = nullptr;
 };
 using Lives = llvm::SmallVector<Live, 1>;
 

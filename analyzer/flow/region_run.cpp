@@ -1,6 +1,8 @@
 // Runs one region block by block.
 #include "analyzer/flow/region_run.h"
 
+#include "analyzer/flow/decided_conditions.h"
+#include "analyzer/flow/flow_condition.h"
 #include "formats/text/crash_guard.h"
 #include "formats/text/system/system.h"
 #include "interp/value/work_meter.h"
@@ -303,16 +305,30 @@ void RegionRun::decide() {
 
 /// Conditions before statements: on a path where one is not known, both happen.
 void RegionRun::forkAtGuards() {
-  Lives forked;
-  for (Live &live : lives_)
-    if (unit_.executor().guard(*block_, live.state) == Truth::Unknown) {
+  Lives executing;
+  for (Live &live : lives_) {
+    if (unit_.executor().guard(*block_, live.state) != Truth::Unknown) {
+      executing.push_back(std::move(live));
+      continue;
+    }
+    const ConditionKey key =
+        conditionKey(*block_, Executor::guardOf(*block_)->condition, live.state);
+    const Truth known = decided(live.decided, key);
+    if (known == Truth::Unknown) {
       run_.fork(activation_, blockRange());
-      Live &other = forked.emplace_back(live);
+      Live other = live;
       other.path = run_.lengthen(live.path, PathNode::Kind::NoJump,
                                  {unit_.source.id(), block_->items[0].begin, block_->items[0].end});
+      other.decided = run_.decide(live.decided, key, false);
+      live.decided = run_.decide(live.decided, key, true);
+      activation_.add(next_, std::move(other));
     }
-  for (Live &live : forked)
-    activation_.add(next_, std::move(live));
+    if (known == Truth::No)
+      activation_.add(next_, std::move(live));
+    else
+      executing.push_back(std::move(live));
+  }
+  lives_ = std::move(executing);
 }
 
 /// Executes the block for each of the states, which then leave it.
@@ -460,8 +476,19 @@ bool RegionRun::goesOnWithNext(Live &live) {
   }
   if (modal != Truth::No) // before what the block itself calls
     forget(live.state, *unit_.dialect);
-  flow_.leave(step);
+  goWhereItSays(step);
   return false;
+}
+
+/// A condition that the path has decided before is decided.
+void RegionRun::goWhereItSays(Step &step) {
+  Flow &flow = outcome_->flow;
+  const bool isOpen = flow.condition == Truth::Unknown && step.live.decided;
+  if (isOpen)
+    flow.condition = decided(step.live.decided, conditionOf(step));
+  flow_.leave(step);
+  if (isOpen)
+    outcome_->flow.condition = Truth::Unknown; // as a block that is known says it
 }
 
 } // namespace ncvet

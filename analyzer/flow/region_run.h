@@ -85,6 +85,7 @@ private:
   bool loopBegins() const { return outcome_->flow.kind == FlowKind::LoopBegin; }
   Again stay();
   Again leave();
+  void goWhereItSays(Step &step);
   void learnAgain(Live &live);
   void learnCalculation(const MachineState &after, uint64_t situation);
   void learnMove(Live &live, uint64_t situation);

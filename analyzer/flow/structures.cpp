@@ -1,6 +1,7 @@
 // Brackets of structured flow: branches, loops and subprograms in a program's text.
 #include "analyzer/flow/structures.h"
 
+#include "analyzer/flow/flow_condition.h"
 #include "interp/evaluate/expression.h"
 
 namespace ncvet {
@@ -86,8 +87,11 @@ void Structures::decide(Step &step, Truth condition, uint32_t other, bool loops,
     run_.fork(step.activation, where);
     Live body = live;
     body.path = run_.lengthen(live.path, told.next, where);
+    const ConditionKey key = loops ? ConditionKey() : conditionOf(step);
+    body.decided = run_.decide(live.decided, key, true);
     step.activation.add(step.block.next, std::move(body));
     live.path = run_.lengthen(live.path, told.other, where);
+    live.decided = run_.decide(live.decided, key, false);
     if (loops)
       step.activation.heads[other].abstract = true;
   }

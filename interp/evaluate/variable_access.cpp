@@ -152,6 +152,15 @@ Truth isUnset(const MachineState &state, double number) {
                                                : Truth::No;
 }
 
+bool isUntouched(const MachineState &state, double number) {
+  if (!(number >= 1) || showsMachine(state, number))
+    return false;
+  const auto key = uint64_t(number);
+  if (isLocal(state, int64_t(key)))
+    return state.locals.given(key) == Truth::No;
+  return isCommon(state, int64_t(key)) && state.commons.given(key) == Truth::No;
+}
+
 void writeVariable(MachineState &state, int64_t number, const Value &value) {
   if (isLocal(state, number))
     state.locals.set(uint64_t(number), value);

@@ -17,6 +17,9 @@ Value readVariable(const MachineState &state, int64_t number);
 Truth isUnset(const MachineState &state, double number);
 /// Whether it is no variable of programs, but one in which the control says what is in force.
 bool showsMachine(const MachineState &state, double number);
+/// Whether it is a variable of programs to which nothing has been given on any path so far: it has
+/// what the operator, or another program, has put there.
+bool isUntouched(const MachineState &state, double number);
 void writeVariable(MachineState &state, int64_t number, const Value &value);
 
 /// Keys of the variables in which a subprogram between brackets gives a value back, and in which it

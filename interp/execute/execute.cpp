@@ -8,17 +8,18 @@ namespace ncvet {
 Executor::Executor(const Dialect &dialect, const MachineProfile &machine, FileId file)
     : dialect_(dialect), machine_(machine), file_(file), masks_(dialect, machine) {}
 
+const Item *Executor::guardOf(const Block &block) {
+  const auto item =
+      llvm::find_if(block.items, [](const Item &i) { return i.kind == ItemKind::If; });
+  if (item == block.items.end() ||
+      (item + 1 != block.items.end() && item[1].kind == ItemKind::Jump))
+    return nullptr;
+  return item;
+}
+
 Truth Executor::guard(const Block &block, const MachineState &state) const {
-  for (size_t i = 0; i < block.items.size(); ++i) {
-    const Item &item = block.items[i];
-    if (item.kind != ItemKind::If)
-      continue;
-    const bool jumps = i + 1 < block.items.size() && block.items[i + 1].kind == ItemKind::Jump;
-    if (jumps)
-      return Truth::Yes;
-    return truthOf(evaluate(block, item.condition, state, nullptr));
-  }
-  return Truth::Yes;
+  const Item *const item = guardOf(block);
+  return item ? truthOf(evaluate(block, item->condition, state, nullptr)) : Truth::Yes;
 }
 
 void Executor::execute(const Block &block, const MachineState &before, MachineState &state,

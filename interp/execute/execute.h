@@ -13,6 +13,8 @@ class Executor {
 public:
   Executor(const Dialect &dialect, const MachineProfile &machine, FileId file);
 
+  /// The `IF [..]` on which the rest of the block depends; null: there is none.
+  static const Item *guardOf(const Block &block);
   /// Whether the rest of the block after an `IF [..]` is executed; `Yes` for blocks without one.
   /// A jump after the condition is not meant: its condition goes into the flow.
   Truth guard(const Block &block, const MachineState &state) const;

@@ -171,5 +171,70 @@ TEST(Engine, TheMainProgramIsTheFirstThatDoesMoreThanReturn) {
       testing::Contains("3 feed-missing"));
 }
 
+/// A mill's program that switches compensation on and off where the conditions say so.
+std::vector<std::string> findingsOfGuards(const std::string &on, const std::string &between,
+                                          const std::string &off) {
+  return findingsOf("fanuc-mill", {{"O7", "%\nO7\nG21 G17 G90 G40 G49 G80\nT3 M6\n"
+                                          "G54 G0 X-20. Y-20. S3200 M3\nG43 H3 Z50.\n"
+                                          "Z2.\nG1 Z-6. F150.\n" +
+                                              on +
+                                              "G41 D3 G1 X0 Y-10. F400.\n"
+                                              "N10 Y60.\n" +
+                                              between + "X80.\n" + off +
+                                              "G40 G1 X100. Y80.\n"
+                                              "N20 G0 Z50.\n"
+                                              "T4 M6\n"
+                                              "M30\n"
+                                              "O8\n#500=2\nM99\n%\n"}});
+}
+
+/// What a path has decided stays so while the program leaves the variables alone: the path on which
+/// the first guard lets the compensation in, and the second does not let it out, is none.
+TEST(Engine, APathDecidesOneConditionOnce) {
+  const auto leftOn = testing::Contains(testing::EndsWith(" compensation-left-on"));
+  const std::string on = "IF [#500 EQ 1] GOTO 10\n", off = "IF [#500 EQ 1] GOTO 20\n";
+  EXPECT_THAT(findingsOfGuards(on, "", off), testing::Not(leftOn));
+  EXPECT_THAT(findingsOfGuards(on, "", "IF [#500  EQ 1.0] GOTO 20\n"), testing::Not(leftOn));
+  EXPECT_THAT(findingsOfGuards("IF [#500 GE 1] GOTO 10\n", "", "IF [#500 GE 1] GOTO 20\n"),
+              testing::Not(leftOn));
+  // Another variable, another value, a value that is given meanwhile, here or in a subprogram.
+  EXPECT_THAT(findingsOfGuards(on, "", "IF [#501 EQ 1] GOTO 20\n"), leftOn);
+  EXPECT_THAT(findingsOfGuards(on, "", "IF [#500 EQ 2] GOTO 20\n"), leftOn);
+  EXPECT_THAT(findingsOfGuards(on, "#500=#501\n", off), leftOn);
+  EXPECT_THAT(findingsOfGuards(on, "M98 P8\n", "IF [#500 GT 1] GOTO 20\n"), leftOn);
+  // What the control itself counts is another number the next time.
+  EXPECT_THAT(findingsOfGuards("IF [#3001 GT 9] GOTO 10\n", "", "IF [#3001 GT 9] GOTO 20\n"),
+              leftOn);
+}
+
+/// The opposite comparison is decided as well, and brackets are as jumps.
+TEST(Engine, APathDecidesTheOppositeConditionToo) {
+  const auto program = [](const char *second) {
+    return std::string("T1 M6\nG54 G90 G0 X0 Y0 Z50\n"
+                       "IF R2==1\nS3000 M3\nENDIF\n") +
+           second + "\nS800 M3\nENDIF\nG1 Z-1 F100\nG0 Z50 M5\nM30\n";
+  };
+  EXPECT_THAT(findingsOf("sinumerik", {{"PART.MPF", program("IF R2<>1")}}), testing::IsEmpty());
+  EXPECT_THAT(findingsOf("sinumerik", {{"PART.MPF", program("IF NOT (R2==1)")}}),
+              testing::IsEmpty());
+  EXPECT_THAT(findingsOf("sinumerik", {{"PART.MPF", program("IF R2<>2")}}),
+              testing::Contains("9 spindle-off-while-cutting"));
+}
+
+/// Paths that differ in nothing but what they have decided are one, for which nothing is decided:
+/// both ways of the second condition are gone.
+TEST(Engine, PathsThatMeetHaveDecidedNothing) {
+  EXPECT_THAT(findingsOf("fanuc-mill", {{"O7", "%\nO7\nG21 G17 G90 G40 G49 G80\nT3 M6\n"
+                                               "G54 G0 X0 Y0 S800 M3\nG43 H3 Z50.\n"
+                                               "IF [#500 EQ 1] GOTO 10\n"
+                                               "X10.\n"
+                                               "N10 Y10.\n"
+                                               "IF [#500 EQ 1] GOTO 20\n"
+                                               "G1 Z-1.\n" // line 11: the feed is missing
+                                               "N20 G0 Z50.\n"
+                                               "M30\n%\n"}}),
+              testing::Contains("11 feed-missing"));
+}
+
 } // namespace
 } // namespace ncvet
