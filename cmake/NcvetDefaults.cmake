@@ -16,6 +16,7 @@ if(NCVET_CCACHE)
 endif()
 
 include(NcvetBatches)
+include(NcvetProfile)
 
 option(NCVET_SANITIZE "Build with address and undefined-behaviour sanitizer" OFF)
 option(NCVET_FUZZ "Build the libFuzzer targets (clang only)" OFF)
