@@ -6,6 +6,7 @@
 #include "llvm/ADT/STLExtras.h"
 
 #include <set>
+#include <tuple>
 
 namespace ncvet {
 
@@ -68,11 +69,12 @@ std::vector<PathStep> stepsOf(const PathNode *path) {
   std::vector<PathNode::Kind> kinds;
   // A loop that is run for real takes the same way in every pass: said once, it explains as much.
   static constexpr PathNode::Kind repeatedKinds[] = {PathNode::Kind::Jump, PathNode::Kind::Holds,
-                                                     PathNode::Kind::LoopRuns};
-  std::set<std::pair<FileId, uint32_t>> jumps;
+                                                     PathNode::Kind::LoopRuns,
+                                                     PathNode::Kind::LoopPass};
+  std::set<std::tuple<PathNode::Kind, FileId, uint32_t>> said;
   for (const PathNode *node : llvm::reverse(nodes))
     if (!llvm::is_contained(repeatedKinds, node->kind) ||
-        jumps.insert({node->range.file, node->range.begin}).second) {
+        said.insert({node->kind, node->range.file, node->range.begin}).second) {
       steps.push_back({node->range, describe(*node)});
       kinds.push_back(node->kind);
     }

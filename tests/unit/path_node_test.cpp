@@ -39,5 +39,19 @@ TEST(PathSteps, ARowOfConditionsIsItsFirstAndItsLast) {
                           "when this condition does not hold"));
 }
 
+/// Each pass of a loop takes the same way.
+TEST(PathSteps, WhatALoopDoesInEachPassIsSaidOnce) {
+  using Kind = PathNode::Kind;
+  std::deque<PathNode> nodes;
+  for (unsigned pass = 0; pass < 3; ++pass)
+    for (const auto &[kind, begin] : {std::pair(Kind::Holds, 40u), std::pair(Kind::LoopPass, 90u)})
+      nodes.push_back(
+          {kind, {FileId(0), begin, begin + 5}, 0, 1, nodes.empty() ? nullptr : &nodes.back()});
+  std::vector<std::string> messages;
+  for (const PathStep &step : stepsOf(&nodes.back()))
+    messages.push_back(step.message);
+  EXPECT_THAT(messages, ElementsAre("when this condition holds", "in a later pass of this loop"));
+}
+
 } // namespace
 } // namespace ncvet
