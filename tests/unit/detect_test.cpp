@@ -250,6 +250,30 @@ TEST(LooksLikeProgram, BlocksDoAndProseDoesNot) {
   EXPECT_FALSE(looksLikeProgram("{ \"a\": 1 }\n"));
 }
 
+/// Half of the controls have programs in files named .iso.
+TEST(Detection, AnEndingOfSeveralControlsMakesNoneSure) {
+  const Detection found = detector().detect(
+      "PART.iso", "G90 (MAIN)\nM98 P1000 L1\nM30\nO1000 (SUBPROGRAM)\nG04 P0.1\nM99\n");
+  EXPECT_EQ(found.dialect, "fanuc-mill");
+  EXPECT_FALSE(found.sure);
+}
+
+TEST(Detection, AUnitAmongTheFirstCodesIsNoRoughingCycle) {
+  EXPECT_EQ(detector()
+                .detect("PART.nc", "N10 G54 G71 G90 G94 M03 S1200 T0101\nN15 G00 X0 Y0 Z5\n"
+                                   "N20 G01 Z-1 F100\nN30 M05 M30\n")
+                .dialect,
+            "din66025");
+}
+
+TEST(Detection, TheNumberOfASpindleIsOfALathe) {
+  EXPECT_EQ(detector()
+                .detect("PART.nc", "O1001\nG0 G18 G40 G54 G80 G99\nG28 U0.\nG28 W0.\nG50 S4000\n"
+                                   "T0101\nG97 S441 M3 P11\nG0 X50. Z2.\nM30\n")
+                .dialect,
+            "fanuc-lathe");
+}
+
 TEST(Detection, AFiveDigitNumberIsNoFanuc) {
   const Detection found = detector().detect(
       "a.nc", "%\nO00001 (PLATE)\nT1 M06 (DRILL)\nG90 G54 G00\nS2000 M03\nG43 H01 Z0.5 M08\n"
