@@ -2,6 +2,7 @@
 #include "lsp/debug/debug_session.h"
 
 #include "formats/text/failure.h"
+#include "formats/text/file_uri.h"
 #include "formats/text/json_text.h"
 #include "lsp/debug/session_json.h"
 
@@ -166,6 +167,7 @@ Json DebugSession::initialize(const Json &arguments) {
   };
   linesStartAt1_ = says("linesStartAt1");
   columnsStartAt1_ = says("columnsStartAt1");
+  namesFilesByUri_ = textOf(arguments, "pathFormat") == "uri";
   return capabilities();
 }
 
@@ -197,7 +199,7 @@ llvm::Error DebugSession::readSettings() {
 
 /// Loads the program of the launch, as it is on disk now.
 llvm::Error DebugSession::load() {
-  const std::string path = textOf(launchArguments_, "program");
+  const std::string path = pathIn(launchArguments_, "program");
   if (path.empty())
     return failure("`program` is missing: the file of the program");
   if (llvm::Error wrong = readSettings())
@@ -316,9 +318,15 @@ int64_t DebugSession::fromClient(int64_t number, bool startsAt1) const {
   return startsAt1 ? number : number + 1;
 }
 
+std::string DebugSession::pathIn(const Json &object, const char *member) const {
+  const std::string path = textOf(object, member);
+  return namesFilesByUri_ ? pathOfUri(path) : path;
+}
+
 Json DebugSession::sourceOf(const FileUnit &unit) const {
   const std::string &path = unit.source.path();
-  return {{"name", llvm::sys::path::filename(path).str()}, {"path", path}};
+  return {{"name", llvm::sys::path::filename(path).str()},
+          {"path", namesFilesByUri_ ? uriOfPath(path) : path}};
 }
 
 void DebugSession::setPlace(Json &at, const FileUnit &unit, uint32_t begin, uint32_t end) const {

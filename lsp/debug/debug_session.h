@@ -63,6 +63,8 @@ private:
   llvm::Expected<Json> changed(llvm::StringRef name, llvm::StringRef value);
   int64_t fromClient(int64_t number, bool startsAt1) const;
   uint32_t toClient(uint32_t number, bool startsAt1) const;
+  /// The path of a file that the client names.
+  std::string pathIn(const Json &object, const char *member) const;
   Json sourceOf(const FileUnit &unit) const;
   void setPlace(Json &at, const FileUnit &unit, uint32_t begin, uint32_t end) const;
   /// Changes breakpoints while the run does not look at them.
@@ -75,6 +77,7 @@ private:
   RunSettings settings_;
   Json launchArguments_;
   bool linesStartAt1_ = true, columnsStartAt1_ = true;
+  bool namesFilesByUri_ = false;
   bool isConfigured_ = false, over_ = false;
   bool isEnded_ = false; ///< the user has ended the program, and begun no other
   int lastBreakpoint_ = 0;

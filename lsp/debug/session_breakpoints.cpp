@@ -119,7 +119,7 @@ llvm::Expected<Json> DebugSession::setBreakpoints(const Json &arguments) {
   const Json &source = arguments.at("source");
   if (textOf(source, "path").empty())
     return failure("the source has no path");
-  const std::string path = plainPath(textOf(source, "path"));
+  const std::string path = plainPath(pathIn(source, "path"));
   Wishes wishes;
   wishes.wanted = listIn(arguments, "breakpoints");
   if (wishes.wanted.empty()) // the older form
@@ -175,7 +175,7 @@ llvm::Expected<Json> DebugSession::setExceptionBreakpoints(const Json &arguments
 
 /// Blocks that begin on the lines that are asked for.
 llvm::Expected<Json> DebugSession::breakpointLocations(const Json &arguments) {
-  const std::string path = textOf(arguments.at("source"), "path");
+  const std::string path = pathIn(arguments.at("source"), "path");
   const int64_t first = fromClient(numberOf(arguments, "line", -1), linesStartAt1_);
   const int64_t last = arguments.contains("endLine")
                            ? fromClient(numberOf(arguments, "endLine", -1), linesStartAt1_)

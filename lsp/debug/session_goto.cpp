@@ -15,7 +15,7 @@ constexpr size_t mostTargets = 10000;
 
 /// The block at the line, or the first one after it.
 llvm::Expected<Json> DebugSession::gotoTargets(const Json &arguments) {
-  const std::string path = textOf(arguments.at("source"), "path");
+  const std::string path = pathIn(arguments.at("source"), "path");
   const int64_t line = fromClient(numberOf(arguments, "line", -1), linesStartAt1_);
   Json targets = Json::array();
   whileStill([&] {

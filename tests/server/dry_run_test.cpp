@@ -448,6 +448,22 @@ TEST(DryRun, ProgramsOfOtherFilesAreSources) {
   EXPECT_EQ(run.request("loadedSources")["sources"].size(), 2u);
 }
 
+TEST(DryRun, AClientMayNameFilesByTheirUris) {
+  Shop shop;
+  shop.file("a b.nc", plate);
+  const std::string path = (shop.path() / "a b.nc").string(),
+                    uri = "file://" + (shop.path() / "a%20b.nc").string();
+  DebugClient run;
+  run.request("initialize", {{"adapterID", "ncvet"}, {"pathFormat", "uri"}});
+  run.request("launch", {{"program", path}, {"dialect", "fanuc-mill"}});
+  run.event("initialized");
+  const Json placed = run.request("setBreakpoints",
+                                  {{"source", {{"path", uri}}}, {"breakpoints", {{{"line", 16}}}}});
+  EXPECT_EQ(placed["breakpoints"][0]["verified"], true);
+  EXPECT_EQ(run.begin()["reason"], "breakpoint");
+  EXPECT_EQ(run.frames()[0]["source"]["path"], uri);
+}
+
 TEST(DryRun, ASessionIsEndedByTheUser) {
   Debugged run(plate);
   run.begin();
