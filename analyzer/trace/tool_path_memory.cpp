@@ -103,9 +103,52 @@ public:
     ++since_;
     if ((stop_ && *stop_) || memory_.programmed_->cancel)
       cancel = true;
-    if (cancel || !isStraight(step) || !isQuiet(step.live.state))
+    if (!cancel && isStraight(step))
+      pass(step.block.next, step.live.state);
+  }
+
+  /// Before the others are told of the block.
+  void comesTo(const Step &step) {
+    if (!cancel && isOfMain(step) && std::exchange(wasCalled_, false))
+      pass(step.block.begin, step.before);
+  }
+
+  /// Told of each block before those who follow the path: where calls come one after the other, no
+  /// block simply goes on.
+  class First final : public FlowListener {
+  public:
+    explicit First(Marker &marker) : marker_(marker) {}
+    FlowInterest interest() const override { return marker_.interest(); }
+    void executed(const Step &step, bool /*continues*/) override { marker_.comesTo(step); }
+
+  private:
+    Marker &marker_;
+  };
+
+  /// The known point to which it has come, as it is now; none: it has run to the end.
+  const std::optional<PathPoint> &meeting() const { return meeting_; }
+  /// Whether the path goes on there as it is known; else the piece has ended.
+  bool isAlike() const { return isAlike_; }
+  /// Known points before that one.
+  size_t passed() const { return passed_; }
+  uint64_t detours() const { return detours_; }
+  const ExecutedText &text() const { return text_; }
+  uint64_t blocks() const { return blocks_; }
+  std::vector<PathPoint> takePoints() { return std::move(points_); }
+
+  std::atomic<bool> cancel = false; ///< there is nothing more to be followed
+
+private:
+  bool isOfMain(const Step &step) const {
+    const Region &region = step.region();
+    return &step.unit() == &unit_ && region.kind == RegionKind::Main && region.depth() == 0;
+  }
+
+  /// The main program goes on at `next` in that state.
+  void pass(uint32_t next, const MachineState &state) {
+    if (!isQuiet(state))
       return;
-    const uint32_t next = step.block.next;
+    text_.main.end = std::max(text_.main.end, next);
     while (!known_.empty() && known_.front().next < next) {
       known_ = known_.drop_front();
       ++passed_;
@@ -113,7 +156,7 @@ public:
     const bool isKnown = !turned_ && !known_.empty() && known_.front().next == next;
     if (!isKnown && since_ < blocksBetween)
       return;
-    PathPoint point = pointAt(step);
+    PathPoint point = pointAt(next, state);
     const bool isMet = isKnown && goesOnAlike(known_.front(), point);
     if (isMet || (isKnown && endsPiece(point))) {
       isAlike_ = isMet;
@@ -130,20 +173,6 @@ public:
     }
   }
 
-  /// The known point to which it has come, as it is now; none: it has run to the end.
-  const std::optional<PathPoint> &meeting() const { return meeting_; }
-  /// Whether the path goes on there as it is known; else the piece has ended.
-  bool isAlike() const { return isAlike_; }
-  /// Known points before that one.
-  size_t passed() const { return passed_; }
-  uint64_t detours() const { return detours_; }
-  const ExecutedText &text() const { return text_; }
-  uint64_t blocks() const { return blocks_; }
-  std::vector<PathPoint> takePoints() { return std::move(points_); }
-
-  std::atomic<bool> cancel = false; ///< there is nothing more to be followed
-
-private:
   /// Whether the block is one of the main program after which the next one in the text follows.
   bool isStraight(const Step &step) {
     const Flow &flow = step.outcome.flow;
@@ -153,7 +182,7 @@ private:
       return false;
     }
     const Region &region = step.region();
-    const bool isMain = region.kind == RegionKind::Main && region.depth() == 0;
+    const bool isMain = isOfMain(step);
     if (isMain) {
       text_.main.begin = std::min(text_.main.begin, step.block.begin);
       text_.main.end = std::max(text_.main.end, step.block.next);
@@ -163,9 +192,11 @@ private:
     if (isMain && flow.kind == FlowKind::Next)
       return true;
     switch (flow.kind) {
-    case FlowKind::Next:
     case FlowKind::Call:
     case FlowKind::CallNamed:
+      wasCalled_ |= isMain;
+      break;
+    case FlowKind::Next:
     case FlowKind::CallModal:
     case FlowKind::End:
     case FlowKind::Alarm:
@@ -201,9 +232,9 @@ private:
            point.rest.sections.hasCut;
   }
 
-  PathPoint pointAt(const Step &step) const {
-    PathPoint point{step.block.next,
-                    forPath(step.live.state),
+  PathPoint pointAt(uint32_t next, const MachineState &state) const {
+    PathPoint point{next,
+                    forPath(state),
                     programmed_->rest(),
                     std::nullopt,
                     memory_.programmed_->rest(),
@@ -248,7 +279,8 @@ private:
   ExecutedText text_;                        ///< since the last point
   const ProgramInfo *lastProgram_ = nullptr; ///< of them that was called
   bool isAlike_ = false;
-  bool turned_ = false; ///< the program did not go straight on since the run began
+  bool wasCalled_ = false; ///< by the last block of the main program
+  bool turned_ = false;    ///< the program did not go straight on since the run began
 };
 
 void ToolPathMemory::clear() {
@@ -280,6 +312,8 @@ void ToolPathMemory::runFrom(const Run &run, const PathPoint *from, Marker &mark
     centre.emplace(run.project, run.unit, *centre_, TracedPath::EveryCentre);
   marker.follow(programmed, centre ? &*centre : nullptr, from);
   Engine engine(run.project, run.unit, run.limits, &marker.cancel);
+  Marker::First first(marker);
+  engine.listen(first);
   engine.listen(programmed);
   if (centre)
     engine.listen(*centre);

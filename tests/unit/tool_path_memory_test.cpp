@@ -347,12 +347,13 @@ TEST(ToolPathMemory, OfACoordinateInASubprogramOnlyThePlacesAreTold) {
 }
 
 /// A main program that calls subprograms, the first of which calls the last.
-std::string calling(unsigned programs, unsigned blocks) {
+std::string calling(unsigned programs, unsigned blocks, bool alone = false) {
   std::string text = "O0001\nG17 G21 G40 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S900 M3\nG43 H1 Z5.\n"
                      "G1 Z-1. F200.\n",
               bodies;
   for (unsigned i = 0; i < programs; ++i) {
-    text += "G0 X" + std::to_string(i) + ". Y0.\nM98 P" + std::to_string(1000 + i) + "\nG0 Z5.\n";
+    const std::string call = "M98 P" + std::to_string(1000 + i) + "\n";
+    text += alone ? call : "G0 X" + std::to_string(i) + ". Y0.\n" + call + "G0 Z5.\n";
     bodies += "O" + std::to_string(1000 + i) + "\nG1 Z-1. F200.\n";
     for (unsigned block = 0; block < blocks; ++block)
       bodies += "X" + std::to_string(block % 90) + ".1 Y" + std::to_string(i) + ".\n";
@@ -373,6 +374,18 @@ TEST(ToolPathMemory, AnEditInASubprogramIsFollowedInItsCallsAlone) {
   EXPECT_LT(part.memory().executed(), 4'000u);
   part.replace("X9.1 Y19.", "X9.3 Y19.");
   EXPECT_GT(part.memory().executed(), 10'000u) << "it is called from the first call on";
+}
+
+TEST(ToolPathMemory, CallsThatFollowOneAnotherAreLeftOutAsWell) {
+  Edited part("fanuc-mill");
+  part.follow(calling(20, 600, /*alone=*/true), nullptr);
+  part.replace("X7.1 Y10.", "X7.2 Y10.");
+  EXPECT_LT(part.memory().executed(), 4'000u);
+  part.replace("M98 P1012\n", "(ROW)\nM98 P1012\n");
+  EXPECT_LT(part.memory().executed(), 4'000u);
+  part.replace("(ROW)", "(A ROW)");
+  EXPECT_LT(part.memory().executed(), 4'000u);
+  part.replace("(A ROW)\n", "G0 Z6.\n");
 }
 
 TEST(ToolPathMemory, AModeBeforeCallsIsToldInPieces) {
@@ -451,6 +464,7 @@ std::vector<Case> cases() {
                      times(900, [&](unsigned i) { return "G1 X" + n(i % 70) + " Z-1\n"; }) +
                      "M2\n"});
   all.push_back({"fanuc-mill", "calls", calling(12, 400)});
+  all.push_back({"fanuc-mill", "calls alone", calling(14, 400, /*alone=*/true)});
   all.push_back(
       {"linuxcnc", "subs",
        times(6,
@@ -490,7 +504,7 @@ TEST_P(RandomEditsOf, ThePathIsThatOfTheTextAsItIsNow) {
   EXPECT_GT(taken, 20u) << "most edits change a part of the path";
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, RandomEditsOf, testing::Range<size_t>(0, 7));
+INSTANTIATE_TEST_SUITE_P(Programs, RandomEditsOf, testing::Range<size_t>(0, 8));
 
 } // namespace
 } // namespace ncvet
