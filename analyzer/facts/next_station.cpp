@@ -119,4 +119,25 @@ bool comesUpNext(const RuleContext &ctx) {
   return up && to.isConstant() && to.value() > 0;
 }
 
+bool isFedUpNext(const RuleContext &ctx) {
+  constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+  constexpr uint16_t alongZ = 1u << unsigned(Axis::Z);
+  const Dialect &dialect = ctx.dialect();
+  const Interval &here = ctx.after().at(Axis::Z);
+  BlocksAhead ahead(ctx);
+  Block next;
+  if (!ahead.next(next) || !next.items.empty() || axesOf(dialect, next) != alongZ ||
+      !findCode(dialect, next, {Action::Linear}) ||
+      findCode(dialect, next, {Action::MachineMove, Action::Incremental}))
+    return false;
+  const Word *const up = next.find(letterAddress('Z'));
+  const Interval to = up ? wordValue(*up, next, ctx.after()) : Interval();
+  const auto unit = millimetresPer(dialect, ctx.after());
+  if (!up || !unit || !to.isConstant() || !here.isConstant() ||
+      to.value() * *unit <= here.value() || !ahead.next(next) || !next.items.empty())
+    return false;
+  const uint16_t axes = axesOf(dialect, next);
+  return axes && !(axes & ~plane) && !findCode(dialect, next, {Action::Rapid, Action::Cycle});
+}
+
 } // namespace ncvet

@@ -28,4 +28,8 @@ bool risesNext(const RuleContext &ctx);
 /// Whether the next block leads at rapid to above zero, along Z alone.
 bool comesUpNext(const RuleContext &ctx);
 
+/// A mill: the next block feeds the tool up, along its axis alone, and the one after that cuts
+/// across.
+bool isFedUpNext(const RuleContext &ctx);
+
 } // namespace ncvet

@@ -23,6 +23,7 @@ struct OtherRadius {
 struct ArcDoublesBackMemory {
   bool joins = false;     ///< an arc by its radius joins its neighbours smoothly
   bool turnsWork = false; ///< the last of `turned` was made on turned work
+  SourceRange round{};    ///< the last arc that goes round once more about the same centre
   /// Those that would do so the other way round, by their places.
   std::map<TextPlace, SourceRange> turned;
   std::map<TextPlace, OtherRadius> other; ///< those that would do so with another radius
@@ -65,6 +66,7 @@ public:
     if (!ctx.block().hasAny(planeWords(ctx)))
       return amongCircles(event, ctx);
     if (!isHalfATurnOrMore(event, ctx) || ctx.before().may(Fact::UnknownCode) ||
+        (isLong(event, ctx) && goesRoundAgain(event, ctx)) ||
         goesOnAhead(directionAtEnd(event, ctx.arc()), ctx))
       return;
     const auto arc = contourElementOf(executedBlock(ctx));
@@ -144,6 +146,38 @@ private:
     const Vector from = *arc.start - *centre, to = *arc.end - *centre;
     const double sine = cross(from, to) * (event.motion == MotionKind::ArcCw ? -1 : 1);
     return sine < -sineOfMore * from.norm() * to.norm();
+  }
+
+  /// The next arc goes on about the same centre, and is as long: turned the other way round both
+  /// are the quarters of one circle.
+  bool goesRoundAgain(const Event &event, RuleContext &ctx) const {
+    constexpr double tolerance = 1e-3; // mm
+    const auto arc = contourElementOf(executedBlock(ctx));
+    PathAhead ahead(ctx);
+    if (!arc || !ahead.next())
+      return false;
+    const auto next = contourElementOf(ahead.executed());
+    const auto stays = [](const ExecutedBlock &block) {
+      return block.before.at(Axis::Z) == block.after.at(Axis::Z);
+    };
+    if (!next || !next->arc || next->clockwise != arc->clockwise ||
+        (next->centre - arc->centre).norm() > tolerance || !stays(executedBlock(ctx)) ||
+        !stays(ahead.executed()))
+      return false;
+    const Vector from = next->from - next->centre, to = next->to - next->centre;
+    if (cross(from, to) * (next->clockwise ? -1 : 1) >= -0.34 * from.norm() * to.norm())
+      return false;
+    const bool told = memory().round == ctx.blockRange();
+    memory().round = ahead.range();
+    if (told)
+      return true;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("`{0}` leads this arc and the next one more than half round the same centre, "
+                   "and so more than once round: the other way round they are parts of one circle",
+                   ctx.code(event).name)
+          .note(ahead.range(), "the next arc");
+    return true;
   }
 
   /// A lead-in or a lead-out: the line beside it runs straight against the arc.

@@ -1,4 +1,5 @@
 // An arc block with a centre word of an axis that does not lie in the active plane.
+#include "analyzer/facts/ending_code.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -44,6 +45,8 @@ public:
     auto finding = ctx.report(*words.foreign, event.certain);
     if (!finding)
       return;
+    if (tellsOfPlane(finding, words, complete, ctx))
+      return;
     const std::string where = plane ? "in the plane of `" + plane->name + "`" : "in this plane";
     finding.message("`{0}` does not belong to an arc {1}: its centre words are {2} and {3}",
                     ctx.text(*words.foreign), where, first, second);
@@ -63,6 +66,35 @@ public:
   }
 
 private:
+  /// `G2 Y20. Z5. J0 K5.`: ends and centre lie in another plane, which the block does not select.
+  static bool tellsOfPlane(FindingBuilder &finding, const ArcWords &words, bool complete,
+                           RuleContext &ctx) {
+    constexpr uint16_t space = 7; // X, Y and Z
+    const AddressId foreign = words.foreign->address;
+    const uint16_t axes = axesOf(ctx.dialect(), ctx.block()) & space;
+    if (complete || foreign < letterAddress('I') || foreign > letterAddress('K') ||
+        std::popcount(unsigned(axes)) != 2 || !(axes >> (foreign - letterAddress('I')) & 1))
+      return false;
+    constexpr uint16_t x = 1u << unsigned(Axis::X), y = 1u << unsigned(Axis::Y);
+    const Action meant = axes == (x | y)   ? Action::PlaneXY
+                         : (axes & x) != 0 ? Action::PlaneZX
+                                           : Action::PlaneYZ;
+    const CodeInfo *const other = firstCodeWith(ctx.dialect(), meant);
+    const CodeInfo *const plane = ctx.after().activeCode(ctx.dialect(), StandardGroup::Plane);
+    if (!other || !plane || other == plane)
+      return false;
+    finding
+        .message(
+            "ends and centre of this arc lie in the plane of `{0}`, and `{1}` is in force: the "
+            "control ignores `{2}`, or stops",
+            other->name, plane->name, ctx.text(*words.foreign))
+        .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Plane),
+              "`" + plane->name + "` is selected here")
+        .fix(FixSafety::Unsafe, "select the plane",
+             ctx.insertBefore(ctx.block().words.front().offset, other->name + " "));
+    return true;
+  }
+
   /// The block also moves along the axis of a centre word.
   static bool movesAlong(const RuleContext &ctx, AddressId centre) {
     return centre >= letterAddress('I') && centre <= letterAddress('K') &&

@@ -42,6 +42,8 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Code)
       ctx.reportNotices(id, event);
+    if (event.kind == EventKind::CycleRun && code.cycle == CycleKind::Pocket)
+      return pocketAbove(event, code, ctx);
     if (event.kind == EventKind::Code ? !storesPlanes(code)
                                       : !makesHole(code.cycle) || cycleOutlivesTool(ctx.after()))
       return;
@@ -145,6 +147,24 @@ private:
     return true;
   }
 
+  /// The same of a circular pocket, which has no R.
+  void pocketAbove(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    constexpr double nearZero = 10; // mm
+    const MachineState &state = ctx.after();
+    const Word *const depth = wordOf(ctx.block(), code, Role::Depth);
+    const auto unit = millimetresPer(ctx.dialect(), state);
+    if (!depth || !depth->isNumber() || depth->mantissa <= 0 || depth->has(wordIncremental) ||
+        !unit || depth->value() * *unit > nearZero || !event.certain ||
+        incremental(ctx) != Truth::No || ctx.dialect().isLathe() || !state.frames.empty() ||
+        state.may(Fact::UnknownCode) || !isAloneAbove(ctx))
+      return;
+    if (auto finding = ctx.report(*depth))
+      finding.severity(Severity::Warning)
+          .message("`{0}` ends above zero, and all other cycles of the program below it: was the "
+                   "sign of its depth lost?",
+                   code.name);
+  }
+
   /// By program: whether its cycles have depths below zero, and one alone has a depth above it.
   TextAnswers<std::pair<FileId, uint32_t>, bool> oneAbove_;
   bool isAloneAbove(const RuleContext &ctx) const {
@@ -156,10 +176,13 @@ private:
            blocksNaming(ctx.index(), program, ctx.dialect(), {Action::Cycle})) {
         const CodeInfo *const cycle = findCode(ctx.dialect(), block, {Action::Cycle});
         const Word *const depth =
-            cycle && makesHole(cycle->cycle) ? wordOf(block, *cycle, Role::Depth) : nullptr;
+            cycle && (makesHole(cycle->cycle) || cycle->cycle == CycleKind::Pocket)
+                ? wordOf(block, *cycle, Role::Depth)
+                : nullptr;
         if (!depth)
           continue;
-        if (!depth->isNumber() || depth->has(wordIncremental))
+        if (findCode(ctx.dialect(), block, {Action::Incremental}) || !depth->isNumber() ||
+            depth->has(wordIncremental))
           return false;
         (depth->mantissa < 0 ? below : above) += 1;
       }

@@ -1,5 +1,6 @@
 // A cycle needs something of the spindle that the machine does not have or that was not prepared.
 #include "analyzer/facts/blocks_since.h"
+#include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/project.h"
 #include "analyzer/rule/rule.h"
@@ -82,6 +83,8 @@ private:
         moved = {unit.source.id(), block.begin, block.next};
         certain &= block.skip < 0;
       }
+      if (!moved.end && &unit == &ctx.unit() && movesInCall(block, ctx))
+        moved = {unit.source.id(), block.begin, block.next};
       return true;
     };
     if (!blocksSince(origin, ctx, look) || !moved.end)
@@ -93,6 +96,23 @@ private:
                    ctx.text(*event.word), ctx.text(origin.range()))
           .severity(Severity::Error)
           .note(origin, "rigid tapping is prepared here");
+  }
+
+  /// A program that the block calls moves or gives a speed, and prepares and taps nothing itself.
+  bool movesInCall(const Block &block, const RuleContext &ctx) const {
+    const Dialect &dialect = ctx.dialect();
+    if (block.skip >= 0 ||
+        (!findCode(dialect, block, {Action::CallProgram}) && !entersProgram(block)))
+      return false;
+    bool moves = false;
+    const bool known = eachCalledBlock(ctx.unit(), block, [&](const Block &called) {
+      moves |= called.skip < 0 && called.hasAny(dialect.axisWords | maskOf(letterAddress('S')));
+      return called.items.empty() && !called.hasLabel() &&
+             !findCode(dialect, called, {Action::CycleCancel, Action::Cycle}) &&
+             llvm::none_of(codesOf(dialect, called),
+                           [&](CodeIndex code) { return dialect.codes[code].group == tapping_; });
+    });
+    return known && moves;
   }
 
   static bool tapsByMove(const CodeInfo &code) {

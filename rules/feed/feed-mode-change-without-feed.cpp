@@ -217,6 +217,9 @@ private:
     if (!code || !mode.known() || !state.origin.of(StatePart::Feed).known() ||
         mode.begin == memory().reported)
       return;
+    const Origin &feed = state.origin.of(StatePart::Feed);
+    if (feed.file == mode.file && feed.begin > mode.begin)
+      return; // another way has programmed it: on this one it was never there
     memory().reported = mode.begin;
     if (auto finding = ctx.report(event, event.certain && !state.may(Fact::FeedSet)))
       finding.message("this move has no feed: `{0}` has forgotten the F of before it", code->name)

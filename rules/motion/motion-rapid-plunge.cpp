@@ -186,7 +186,8 @@ private:
         turnsWork(ctx.dialect(), ctx.after()) || takesWordsItself(ctx) ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::No ||
-        !(comesUpNext(ctx) || (hasCutAcross(ctx) && risesNext(ctx))))
+        !(comesUpNext(ctx) || (hasCutAcross(ctx) && risesNext(ctx)) ||
+          (!ctx.before().may(Fact::CutSinceTool) && isFedUpNext(ctx))))
       return false;
     if (auto finding = ctx.report(event))
       finding.message("this rapid move goes down to {0} below zero, and the tool comes up again "

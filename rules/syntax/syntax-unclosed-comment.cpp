@@ -46,17 +46,8 @@ public:
       return;
     case SyntaxIssueKind::NestedComment: {
       const bool braces = ctx.text(range).startswith("{");
-      if (nestedStops_) {
-        if (auto finding = ctx.report(range)) {
-          if (isForOther_.of(ctx.source().id(), [&] { return isForPathPilot(ctx); }))
-            finding.severity(Severity::Warning)
-                .text("a `(` inside a comment: PathPilot, for which this is written, takes it, "
-                      "LinuxCNC's own interpreter stops here");
-          else
-            finding.text("a `(` inside a comment: the interpreter stops here");
-        }
-        return;
-      }
+      if (nestedStops_)
+        return stopsAt(range, ctx);
       // With nothing after the `)` the comment is read whole, but for one more bracket.
       const llvm::StringRef left = ctx.source().text(issue.end, ctx.block().end).trim(" \t\r\n;");
       if (left.empty())
@@ -85,6 +76,18 @@ public:
   }
 
 private:
+  void stopsAt(const SourceRange &range, RuleContext &ctx) const {
+    auto finding = ctx.report(range);
+    if (!finding)
+      return;
+    if (isForOther_.of(ctx.source().id(), [&] { return isForPathPilot(ctx); }))
+      finding.severity(Severity::Warning)
+          .text("a `(` inside a comment: PathPilot, for which this is written, takes it, "
+                "LinuxCNC's own interpreter stops here");
+    else
+      finding.text("a `(` inside a comment: the interpreter stops here");
+  }
+
   /// By file: what this control stops at another one of its kind takes.
   TextAnswers<FileId, bool> isForOther_;
   static bool isForPathPilot(const RuleContext &ctx) {

@@ -31,12 +31,16 @@ public:
     const ProfileBlock &end = profile.blocks.back();
     if (!end.toX.isConstant() || !end.toZ.isConstant())
       return;
+    const size_t first = firstOfContour(profile);
     // Whether the contour opens towards the axis or away from it; the start says nothing here.
     const double rise =
-        profile.blocks[profile.lastCut - 1].toX.value() - profile.blocks.front().toX.value();
+        profile.blocks[profile.lastCut - 1].toX.value() - profile.blocks[first].toX.value();
     if (rise > -pathTolerance && rise < pathTolerance)
       return;
-    const bool inside = rise < 0 && profile.side != Side::Outside;
+    // From the axis a contour that narrows is one of a bore.
+    const bool inside =
+        rise < 0 && (profile.side != Side::Outside ||
+                     startX.value() < profile.blocks[profile.lastCut - 1].toX.value());
     const double x = end.toX.value(), z = end.toZ.value();
     if (together_)
       return returnsTogether(event, profile, {z, x}, {startZ.value(), startX.value()}, inside, ctx);
@@ -45,7 +49,7 @@ public:
     if (zFirst) {
       // Along Z at the last block's diameter, and then along X to the start: through every part of
       // the contour in between.
-      for (size_t i = 0; i < profile.lastCut; ++i) {
+      for (size_t i = first; i < profile.lastCut; ++i) {
         const ProfileBlock &block = profile.blocks[i];
         if (!block.moves || !block.toZ.isConstant())
           continue;
@@ -74,6 +78,19 @@ public:
   }
 
 private:
+  /// The block that leads to the begin of the contour: the way to it may be several rapid moves.
+  static size_t firstOfContour(const Profile &profile) {
+    size_t first = 0;
+    for (size_t i = 0; i < profile.lastCut; ++i) {
+      const ProfileBlock &block = profile.blocks[i];
+      if (block.moves && block.motion != MotionKind::Rapid)
+        break;
+      if (block.moves && block.toX.isConstant())
+        first = i;
+    }
+    return first;
+  }
+
   bool together_ = false; ///< both axes go back at once, at their own speeds
 
   /// Reported only where both ways on which the tool may go back lead through the part: straight,
