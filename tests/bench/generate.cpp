@@ -42,11 +42,11 @@ bool writeForInterpreter(const std::string &folder, uint64_t thousand) {
     list(table, folder, name, "linuxcnc", goal, writer);
   };
   writeToolTable(folder + "/rs274.tbl");
-  write("surfacing-300k.ngc", "60", [&](auto &file) {
-    return writeSurfacing(file, 300 * thousand, Spelling::Modal, Frame::File);
+  write("surfacing-1m.ngc", "60", [&](auto &file) {
+    return writeSurfacing(file, 1000 * thousand, Spelling::Modal, Frame::File);
   });
-  write("numbered-300k.ngc", "60", [&](auto &file) {
-    return writeSurfacing(file, 300 * thousand, Spelling::Numbered, Frame::File);
+  write("numbered-1m.ngc", "60", [&](auto &file) {
+    return writeSurfacing(file, 1000 * thousand, Spelling::Numbered, Frame::File);
   });
   write("contours-300k.ngc", "25",
         [&](auto &file) { return writeContours(file, 300 * thousand, Frame::File); });
