@@ -81,7 +81,7 @@ private:
     if (!finding)
       return;
     if (isForOther_.of(ctx.source().id(), [&] { return isForPathPilot(ctx); }))
-      finding.severity(Severity::Warning)
+      finding.severity(Severity::Style)
           .text("a `(` inside a comment: PathPilot, for which this is written, takes it, "
                 "LinuxCNC's own interpreter stops here");
     else

@@ -31,6 +31,9 @@ public:
     const MachineState &before = ctx.before();
     if (before.profile != ProfileMode::Off)
       return;
+    // What cannot be read may be the way home.
+    if (Block previous; readPrevious(ctx, previous) && !previous.issues.empty())
+      return;
     if (const auto lowest = ctx.machine().number("toolChangeMinZ")) {
       const Interval &z = before.at(Axis::Z);
       if (z.isConstant() && !before.inMachineCoordinates(Axis::Z) &&
