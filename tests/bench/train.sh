@@ -7,6 +7,7 @@
 # Each run counts the same, on every machine: in one thread, in folders whose names are always as long
 # and with one file in each, because the order in which a folder names its files is no one's.
 set -eu
+export LC_ALL=C # the order of names
 tests=$(cd "$(dirname "$0")/../programs" && pwd)
 folder=$(mktemp -d /tmp/ncvet-XXXXXXXX)
 trap 'rm -rf "$folder"' EXIT
@@ -14,10 +15,9 @@ mkdir "$folder/programs" # further up no one looks for what belongs to a program
 cp "$1" "$folder/ncvet"
 programs=$(cd "$2" && pwd)
 cd "$folder/programs"
-export HOME="$folder" LC_ALL=C NCVET_NO_CACHE=1
-# Counts are of addresses, too, which are others each time unless the system is asked (and allows it).
-fixed=
-if setarch -R true 2>/dev/null; then fixed="setarch -R"; fi
+# Counts are of addresses, too: these hang on the environment, and are others each time unless the system is asked.
+fixed="env -i HOME=$folder LC_ALL=C NCVET_NO_CACHE=1"
+if setarch -R true 2>/dev/null; then fixed="$fixed setarch -R"; fi
 check() { $fixed ../ncvet check --jobs 1 --exit-zero --color never "$@" >/dev/null 2>&1; }
 
 # alone NAME FILE: a copy of the file in a folder of its own.
