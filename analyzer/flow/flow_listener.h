@@ -9,6 +9,7 @@ struct FileSummary;
 struct FileUnit;
 struct Region;
 struct Step;
+struct HoleRow;
 
 /// What is known of the state with which a program begins.
 enum class EntryState : uint8_t {
@@ -65,6 +66,11 @@ public:
   virtual bool executedAgain(const Step &step) {
     executed(step, false);
     return true;
+  }
+  /// As `executed` for at most so many of the first holes of a row that comes after `step`; how
+  /// many it was.
+  virtual size_t executedRow(const Step & /*step*/, const HoleRow & /*row*/, size_t /*most*/) {
+    return 0;
   }
   virtual void problem(const Step & /*step*/, const FlowProblem & /*problem*/) {}
   /// The state comes back from what the block calls.

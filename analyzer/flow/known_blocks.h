@@ -50,6 +50,14 @@ public:
   /// before; null: it is not.
   Spelling *read(uint32_t offset);
   const Block *peek(uint32_t offset) override;
+  /// The block at `offset`, before its turn, where its line has the form of those of the spelling;
+  /// null: it has another. What was looked at before is of no meaning then.
+  const Block *readAhead(uint32_t offset, Spelling &spelling) {
+    peekedAt_ = ~0u;
+    if (!std::exchange(spelling.hasAhead, true))
+      spelling.ahead = spelling.block;
+    return spelling.line.read(reader_.text(), offset, spelling.ahead) ? &spelling.ahead : nullptr;
+  }
   /// The spelling of a block that was read, which then holds the block; null: it is met for the
   /// first time, or has none.
   Spelling *find(const Block &block);

@@ -70,6 +70,10 @@ public:
         settled &= entry.listener->executedAgain(step);
     return settled;
   }
+  /// As `FlowListener::executedRow`: where several listen all are told hole by hole.
+  size_t executedRow(const Step &step, const HoleRow &row, size_t most) const {
+    return all_.size() == 1 ? all_[0].listener->executedRow(step, row, most) : 0;
+  }
   template <typename Tell>
   void tell(Tell &&tell) const {
     for (const Entry &entry : all_)

@@ -5,6 +5,7 @@
 #include "analyzer/flow/known_blocks.h"
 #include "analyzer/reuse/run_recorder.h"
 #include "analyzer/reuse/run_replay.h"
+#include "analyzer/rule/hole_row.h"
 #include "interp/execute/make_plain_move.h"
 
 #include <atomic>
@@ -71,6 +72,19 @@ private:
   bool isOfRow(const KnownBlocks::Known &known, const MachineState &state) const;
   void makeInRow(KnownBlocks::Known &known);
   void countRow(uint32_t begin, uint64_t made);
+  /// Holes that do the same but for their places, and their blocks.
+  struct RowKind {
+    KnownBlocks::Spelling *spelling;
+    uint64_t serial; ///< of the spelling
+    KnownBlocks::Known *known;
+    std::array<uint8_t, HoleRow::mostAxes> places; ///< by step: index in `HoleRow::axes`
+  };
+  void beginRow();
+  void noteKind(KnownBlocks::Known &known);
+  bool addKind(RowKind &kind);
+  size_t makeTogether(uint32_t limit, uint64_t most);
+  void readRow(uint32_t limit, size_t most);
+  void placeRow(size_t made, MachineState &state);
   KnownBlocks::Known *knownHere();
   /// How control leaves a block that was executed before.
   enum class Again : uint8_t { NotKnown, GoesOn, Leaves };
@@ -225,7 +239,12 @@ private:
   std::unique_ptr<KnownBlocks> known_;        ///< made when a block is read for the first time
   KnownBlocks::Spelling *spelling_ = nullptr; ///< of the block; null: it is not known
   uint32_t spelled_ = ~0u; ///< the block for which `spelling_` is made out though it is not read
-  uint32_t rowEnd_ = ~0u;  ///< the same, of one that ends a row of holes
+  llvm::SmallVector<RowKind, 4> rowKinds_;
+  HoleRow row_;                              ///< of those kinds
+  llvm::SmallVector<uint8_t, 4> rowLetters_; ///< of its axes
+  size_t rowLength_ = 8;                     ///< how many of them are read before their turn
+  unsigned rowsRefused_ = 0;                 ///< one after the other that nobody took together
+  uint32_t rowEnd_ = ~0u;                    ///< the same, of one that ends a row of holes
   const KnownBlocks::Known *done_ = nullptr; ///< what the last block did; null: it was executed
   uint64_t modes_ = 0; ///< of the state, see `modesNumber`; 0: they are not made out
 };

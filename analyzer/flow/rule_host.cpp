@@ -27,6 +27,10 @@ void RuleHost::executed(const Step &step, bool continues) {
     dispatcher_.dispatch(block, step.ahead, step.place);
 }
 
+size_t RuleHost::executedRow(const Step &step, const HoleRow &row, size_t most) {
+  return dispatcher_.dispatchRow(told(step, step.before, step.live.state), row, most);
+}
+
 /// A rule says of a block what it said of one that differs in numbers only, unless it is told of
 /// every move: when it has said nothing, and remembers what it did, it will say nothing again.
 bool RuleHost::executedAgain(const Step &step) {

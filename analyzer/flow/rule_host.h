@@ -24,6 +24,7 @@ public:
 
   FlowInterest interest() const override;
   void executed(const Step &step, bool continues) override;
+  size_t executedRow(const Step &step, const HoleRow &row, size_t most) override;
   bool sleepsThrough(uint64_t stretch) const override { return dispatcher_.sleepThrough(stretch); }
   bool wantsStill() const override { return dispatcher_.wantsStill(); }
   bool executedAgain(const Step &step) override;

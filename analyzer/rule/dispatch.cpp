@@ -2,6 +2,7 @@
 #include "analyzer/rule/dispatch.h"
 
 #include "analyzer/rule/block_shape.h"
+#include "analyzer/rule/hole_row.h"
 
 #include "llvm/Support/MathExtras.h"
 
@@ -159,6 +160,47 @@ void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {
   const bool inRow = hasRows && context_.block().comments.empty() && isFollowedByPlace(context_);
   for (const Awake &one : inRow ? modes.inRow : modes.awake)
     tellOne(outcome.events[one.event], one.listener);
+}
+
+/// Who is told of every hole of the row; null: that is not known, or not the same of all.
+const Dispatcher::KnownModes *Dispatcher::toldOfRow(const HoleRow &row) const {
+  const KnownModes *all = nullptr;
+  for (const Outcome *outcome : row.kinds) {
+    const KnownModes *const again = toldAgain(*outcome);
+    const auto isSame = [](const Awake &a, const Awake &b) {
+      return a.listener.rule == b.listener.rule;
+    };
+    if (!again || (all && !std::equal(all->inRow.begin(), all->inRow.end(), again->inRow.begin(),
+                                      again->inRow.end(), isSame)))
+      return nullptr;
+    all = again;
+  }
+  return all;
+}
+
+size_t Dispatcher::dispatchRow(const ToldBlock &before, const HoleRow &row, size_t most) {
+  const KnownModes *const told = shapes_ ? toldOfRow(row) : nullptr;
+  if (!told)
+    return 0;
+  prepare(before);
+  // What a rule that gathers has taken it keeps.
+  const Listener *gatherer = nullptr;
+  for (const Awake &one : told->inRow) {
+    if (!one.listener.rule || most == 0)
+      return 0;
+    context_.rule_ = one.listener.id;
+    if (!llvm::is_contained(gatherers_, one.listener.rule))
+      most = one.listener.rule->onRow(row, most, context_);
+    else if (std::exchange(gatherer, &one.listener))
+      return 0;
+  }
+  if (gatherer && most) {
+    context_.rule_ = gatherer->id;
+    most = gatherer->rule->onRow(row, most, context_);
+  }
+  if (most)
+    context_.index().noteRead(row.holes[0].begin, row.holes[most - 1].next);
+  return most;
 }
 
 /// Tells those that have not said that blocks of this shape do not interest them; false: that is

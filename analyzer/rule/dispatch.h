@@ -34,6 +34,9 @@ public:
   void recordUses() { recordsUses_ = context_.notes_ = true; }
   /// Every rule is told of every event that it listens for, whatever it has said of blocks like it.
   void tellInFull() { shapes_.reset(); }
+  /// As `dispatch` for at most so many of the first holes of the row, where those who are told of
+  /// them take them together; how many it was. `before`: the block before the row.
+  size_t dispatchRow(const ToldBlock &before, const HoleRow &row, size_t most);
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
   /// to know of every move, as long as they do. Blocks of one `stretch` differ in numbers only.
   void dispatchMove(const ToldBlock &told, uint64_t stretch);
@@ -119,6 +122,7 @@ private:
   };
   const KnownModes *toldAgain(const Outcome &outcome) const;
   bool tellKnown(uint64_t place, const Outcome &outcome);
+  const KnownModes *toldOfRow(const HoleRow &row) const;
   void tellAwake(const KnownModes &modes, const Outcome &outcome);
   KnownShape &knownShape(uint64_t shape);
   void findOut(KnownShape &shape, const Outcome &outcome);

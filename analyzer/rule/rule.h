@@ -24,6 +24,7 @@ namespace ncvet {
 
 class Collector;
 class RuleContext;
+struct HoleRow;
 class TextAhead;
 struct FileUnit;
 
@@ -355,6 +356,9 @@ public:
   virtual ~Rule() = default;
   virtual void listen(Subscriptions &to) = 0;
   virtual void on(const Event &, RuleContext &) const {}
+  /// As `on` for each of at most so many of the first holes of the row, after which `ctx` has the
+  /// state that comes before them; how many it was: of the others it is told one by one.
+  virtual size_t onRow(const HoleRow &, size_t /*most*/, RuleContext &) const { return 0; }
   /// Called once, when all flow is known; only findings that the whole file decides.
   virtual void finish(const FileSummary &, RuleContext &) const {}
 

@@ -1,4 +1,5 @@
 // A cycle makes the same hole more than once.
+#include "analyzer/facts/hole_list.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/gathering_rule.h"
 #include "interp/value/sum.h"
@@ -9,135 +10,6 @@
 
 namespace ncvet {
 namespace {
-
-struct HolePlace {
-  TextPlace block, end; ///< of its block
-  TextPlace list;       ///< where the list of holes begins
-  unsigned depth = 0;
-  uint64_t offset = 0;
-  uint64_t key = 0; ///< of offset and position
-
-  bool isOfListOf(const HolePlace &other) const {
-    return depth == other.depth && list == other.list;
-  }
-};
-
-/// What is the same of all holes whose blocks do the same but for their numbers.
-struct KindOfHole {
-  uint64_t known = 0; ///< see `Outcome::known`; 0: there is none
-  StateUse use;       ///< what was looked at to find it out
-  HolePlace place;    ///< but for its block and its numbers
-};
-
-/// The kinds of holes of one call of a cycle, and where the last one of them was.
-struct Row {
-  Origin call;
-  Axis tool = Axis::Z;
-  uint64_t offset = 0; ///< the same as in `HolePlace`
-  std::array<KindOfHole, 8> kinds{};
-  std::array<Interval, axisCount> position{};
-  std::array<uint64_t, axisCount> parts{}; ///< what each of these adds to `key`
-  uint64_t key = 0;                        ///< the same as in `HolePlace`
-
-  const KindOfHole *find(uint64_t known) const {
-    const KindOfHole &kind = kinds[known % kinds.size()];
-    return known && kind.known == known ? &kind : nullptr;
-  }
-  /// A row of another call, in another plane, or under another work offset.
-  void begin(const Origin &by, Axis along, uint64_t system) {
-    call = by;
-    tool = along;
-    offset = system;
-    for (KindOfHole &kind : kinds)
-      kind.known = 0;
-  }
-};
-
-/// The holes of the list that is being run. Runs that add to them tell what they add.
-class HoleList {
-public:
-  Row row;
-
-  /// The block of the first hole at its place.
-  struct Made {
-    uint32_t begin, end;
-    uint64_t key; ///< of the place
-  };
-
-  bool continues(const HolePlace &place) const {
-    return place.depth == depth_ && place.list == list_;
-  }
-  /// The first hole at that place of the list; null: there is none.
-  const Made *find(const HolePlace &place) const {
-    return slots_.empty() ? nullptr : holeAt(slotOf(place.key));
-  }
-  /// The hole that the same list has made there before; null: there is none.
-  const Made *add(const HolePlace &place) {
-    if (!continues(place))
-      clear();
-    depth_ = place.depth;
-    list_ = place.list;
-    return addToSame(place.key, place.block.offset, place.end.offset);
-  }
-  /// The same of the hole of a block that goes on with the row, where that continues the list.
-  const Made *addNext(uint32_t begin, uint32_t end) { return addToSame(row.key, begin, end); }
-
-private:
-  static constexpr size_t longestList = 5000;
-  /// A power of two. There are more slots for longer lists, so that the next free one is near.
-  static constexpr size_t fewestSlots = 1u << 8;
-  static constexpr size_t slotsOfHole = 3;
-  /// A slot holds the index of a hole, from 1, and above it the number of the list to which it
-  /// belongs: those of lists before it are free.
-  static constexpr unsigned indexBits = 16;
-  static constexpr uint32_t mostLists = (uint32_t(1) << (32 - indexBits)) - 1;
-
-  /// The hole of that key; null: there was none, or the list is too long, and it was added.
-  const Made *addToSame(uint64_t key, uint32_t begin, uint32_t end) {
-    if (made_.size() > longestList)
-      return nullptr;
-    const size_t slot = slotOf(key);
-    if (const Made *const known = holeAt(slot))
-      return known;
-    made_.push_back({begin, end, key});
-    slots_[slot] = number_ << indexBits | uint32_t(made_.size());
-    if (made_.size() * slotsOfHole > slots_.size())
-      grow();
-    return nullptr;
-  }
-  void grow() {
-    slots_.assign(slots_.size() * 2, 0);
-    for (size_t i = 0; i < made_.size(); ++i)
-      slots_[slotOf(made_[i].key)] = number_ << indexBits | uint32_t(i + 1);
-  }
-  /// The hole of that slot; null: it is free.
-  const Made *holeAt(size_t slot) const {
-    const uint32_t index = slots_[slot] ^ number_ << indexBits;
-    return index - 1 < made_.size() ? &made_[index - 1] : nullptr;
-  }
-  /// Where the hole of that key is, or would be.
-  size_t slotOf(uint64_t key) const {
-    const size_t mask = slots_.size() - 1;
-    size_t slot = key & mask;
-    for (const Made *made = holeAt(slot); made && made->key != key; made = holeAt(slot))
-      slot = (slot + 1) & mask;
-    return slot;
-  }
-  void clear() {
-    if (slots_.empty() || number_ == mostLists) {
-      slots_.assign(std::max(slots_.size(), fewestSlots), 0);
-      number_ = 0;
-    }
-    ++number_;
-    made_.clear();
-  }
-
-  std::vector<Made> made_;      ///< the first hole at each place of the list that is being run
-  std::vector<uint32_t> slots_; ///< by key
-  uint32_t number_ = 0;         ///< of the list, from 1
-  unsigned depth_ = ~0u;        ///< of the hole that was added last
-  TextPlace list_;              ///< the same
-};
 
 struct CycleHoleDrilledTwiceMemory {
   SourceRange call{}; ///< block of the last cycle of one hole; no end: none
@@ -189,7 +61,55 @@ public:
     }
   }
 
+  /// Holes of the row up to one whose place was there before.
+  size_t onRow(const HoleRow &holes, size_t most, RuleContext &ctx) const override {
+    LastRow &row = list().row;
+    const MachineState &state = ctx.after();
+    if (isGathering() || row.call != state.origin.of(StatePart::Cycle) ||
+        !state.position[0].isConstant() || !isAt(row, state.position))
+      return 0;
+    for (const Outcome *kind : holes.kinds)
+      if (const KindOfHole *const known = row.find(kind->known);
+          !known || !list().continues(known->place))
+        return 0;
+    size_t taken = 0;
+    for (; taken < most; ++taken)
+      if (!addHole(holes, holes.holes[taken], row))
+        break;
+    return taken;
+  }
+
 private:
+  /// Whether the last hole of the row was there.
+  static bool isAt(const LastRow &row, const std::array<Interval, axisCount> &position) {
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (i != unsigned(row.tool) && row.position[i] != position[i])
+        return false;
+    return true;
+  }
+
+  /// Adds a further hole of the row; false: there was one at its place.
+  bool addHole(const HoleRow &holes, const HoleRow::Hole &hole, LastRow &row) const {
+    std::array<uint64_t, HoleRow::mostAxes> parts;
+    uint64_t key = row.key;
+    for (size_t i = 0; i < holes.axes.size(); ++i) {
+      const auto axis = unsigned(holes.axes[i]);
+      const bool stays = row.position[axis].lo == hole.at[i];
+      parts[i] =
+          stays ? row.parts[axis] : partOfKey(axis, hole.at[i] == 0 ? 0 : rounded(hole.at[i]));
+      key += parts[i] - row.parts[axis];
+    }
+    if (list().addNext(key, hole))
+      return false;
+    row.key = key;
+    for (size_t i = 0; i < holes.axes.size(); ++i) {
+      const auto axis = unsigned(holes.axes[i]);
+      row.parts[axis] = parts[i];
+      row.position[axis] = Interval::exactly(hole.at[i]);
+    }
+    return true;
+  }
+
   using Numbers = std::array<double, axisCount>; ///< 0 where it is not known, and along the tool
 
   bool takeOver(llvm::ArrayRef<HolePlace> holes) const override {
@@ -292,7 +212,7 @@ private:
 
   void keepKind(const std::array<Interval, axisCount> &position, const HolePlace &place,
                 const RuleContext &ctx) const {
-    Row &row = list().row;
+    LastRow &row = list().row;
     const Axis tool = toolAxis(ctx.dialect(), ctx.after());
     const Origin &call = ctx.after().origin.of(StatePart::Cycle);
     if (row.call != call || row.tool != tool || row.offset != place.offset)
@@ -307,7 +227,7 @@ private:
 
   /// A further hole of the row, as one before it but for its numbers; false: it is another.
   bool isNextOfRow(const Event &event, RuleContext &ctx) const {
-    Row &row = list().row;
+    LastRow &row = list().row;
     const KindOfHole *const kind = row.find(ctx.outcome().known);
     if (!kind || row.call != ctx.after().origin.of(StatePart::Cycle))
       return false;

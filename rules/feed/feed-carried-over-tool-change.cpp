@@ -23,6 +23,10 @@ public:
       firstCut(event, ctx);
   }
 
+  size_t onRow(const HoleRow &, size_t most, RuleContext &) const override {
+    return memory().hasCut ? 0 : most;
+  }
+
 private:
   void changeTool(const Event &event, const RuleContext &ctx) const {
     const bool same = event.tool() >= 0 && event.tool() == memory().tool; // another offset of it

@@ -1,6 +1,7 @@
 // The short ways of reading, executing and telling blocks do what the long ones do.
 #include "analyzer/flow/engine.h"
 #include "analyzer/flow/known_blocks.h"
+#include "analyzer/rule/hole_row.h"
 #include "formats/readers/quick_reader.h"
 #include "formats/readers/select/make_reader.h"
 #include "formats/text/byte_search.h"
@@ -374,7 +375,7 @@ TEST(FastPath, BytesAreFoundWhereALookAtEachOfThemFindsThem) {
 }
 
 /// What happens in a run, as one text.
-class Diary final : public FlowListener {
+class Diary : public FlowListener {
 public:
   FlowInterest interest() const override { return {~0u, true, true, false}; }
   void executed(const Step &step, bool) override {
@@ -459,6 +460,94 @@ void compare(const Sample &sample) {
                 EXPECT_TRUE(all == found) << sample.dialect << " " << sample.name << "\n"
                                           << difference(all, found);
               });
+}
+
+/// Rows of holes, some of which are made twice, and what may come between them.
+std::string randomHoles(unsigned seed) {
+  std::mt19937 dice(seed);
+  const auto one = [&](std::initializer_list<const char *> list) {
+    return std::string(list.begin()[dice() % list.size()]);
+  };
+  std::string text = "%\nO1000\nG21 G17 G90 G94 G40 G49 G80\nT1 M6\nG54 S1000 M3\nG43 H1 Z50.\n";
+  unsigned number = 10;
+  for (unsigned row = 0; row < 14; ++row) {
+    text += one({"G98 G81 X0. Y0. Z-6.5 R2. F180.\n", "G99 G83 X1. Y1. Z-9. R1. Q2. F90.\n",
+                 "G82 Z-4. R2. P100\n", "G98 G81 X0. Y0. Z-6.5 R2. F180.\n"});
+    const bool hasNumbers = dice() % 4 == 0, repeats = dice() % 3 == 0;
+    double x = 0, y = 0;
+    for (unsigned hole = dice() % 120; hole; --hole) {
+      const bool both = dice() % 8 == 0;
+      x = both && dice() % 2 ? 0 : x + 9.5;
+      y += both ? 8.25 : 0;
+      if (repeats && dice() % 20 == 0)
+        x = 9.5;
+      text += hasNumbers ? "N" + std::to_string(number += 10) + " " : "";
+      text += "X" + std::to_string(x).substr(0, std::to_string(x).find('.') + 3);
+      text += both ? " Y" + std::to_string(y).substr(0, std::to_string(y).find('.') + 4) : "";
+      text += dice() % 40 ? "\n"
+                          : one({" (HOLE)\n", " Z-7.\n", " R3.\n", "\n(NEXT)\n", " F99.\n",
+                                 "\nG99\n", " \n", "\nG91 X5.\nG90\n"});
+    }
+    text += one({"G80\n", "G80\nG0 Z50.\nX9.5 Y0.\n", "G0 X1.\n", "G80\nT2 M6\nG43 H2 Z50.\n",
+                 "G55\n", "M98 P2000\n", "G80\nG1 X3. Y3. F100.\nG1 Z-1.\nX9.\n"});
+  }
+  return text + "G80\nM30\nO2000\nX3.\nX4.\nX3.\nM99\n%\n";
+}
+
+/// Is told of rows together.
+class RowDiary final : public Diary {
+public:
+  explicit RowDiary(unsigned share) : share_(share) {}
+  size_t executedRow(const Step &, const HoleRow &, size_t most) override {
+    const size_t taken = share_ ? most * (turn_++ % share_) / share_ : most;
+    together += taken;
+    return taken;
+  }
+
+  size_t together = 0;
+
+private:
+  unsigned share_, turn_ = 0;
+};
+
+/// What is told of a hole that comes after some that were told together is what is told of it where
+/// all are told one by one; how many were told together.
+size_t toldTogether(const Sample &sample, unsigned share) {
+  size_t together = 0;
+  withProgram(
+      sample.dialect, {{"part.nc", sample.text}}, "", [&](Project &project, FileUnit &unit) {
+        const std::string whole = diaryOf(project, unit, true);
+        Engine engine(project, unit, {}, nullptr);
+        RowDiary diary(share);
+        engine.listen(diary);
+        engine.run();
+        together = diary.together;
+        llvm::StringRef rest = whole;
+        for (llvm::StringRef left = diary.text; !left.empty();) {
+          const auto [line, after] = left.split('\n');
+          const size_t at = rest.find((line + "\n").str());
+          if (at == llvm::StringRef::npos) {
+            ADD_FAILURE() << sample.name << ": " << line.str();
+            break;
+          }
+          rest = rest.drop_front(at);
+          left = after;
+        }
+        EXPECT_EQ(whole.substr(whole.rfind('\n') + 1),
+                  std::to_string(engine.blockCount()) + " " + std::to_string(engine.isComplete()));
+      });
+  return together;
+}
+
+TEST(FastPath, HolesThatAreToldTogetherLeaveTheStateThatTheyLeaveOneByOne) {
+  size_t together = 0;
+  for (unsigned seed = 0; seed < tried(20, 100); ++seed)
+    for (const char *dialect : {"fanuc-0m", "haas-mill", "linuxcnc"}) {
+      const Sample sample{dialect, "holes " + std::to_string(seed), randomHoles(seed), ""};
+      together += toldTogether(sample, seed % 4);
+      compare(sample);
+    }
+  EXPECT_GT(together, 1000u);
 }
 
 TEST(FastPath, ListenersAreToldTheSameAndTheSameIsFoundInRandomPrograms) {
