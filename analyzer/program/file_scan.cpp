@@ -37,7 +37,8 @@ void eachLine(const SourceFile &source, uint32_t begin, size_t end, bool lineFee
       forgotten = line;
     }
     const char *content = line;
-    while (content < stop && (*content == ' ' || *content == '\t' || *content == '\0'))
+    while (content < stop && uint8_t(*content) <= ' ' &&
+           (*content == ' ' || *content == '\t' || *content == '\0'))
       ++content;
     if (content < stop)
       visit(uint32_t(line - base), uint32_t(content - base));
@@ -59,6 +60,8 @@ public:
   std::optional<uint32_t> operator()(uint32_t line, uint32_t content) const {
     return isMark_[uint8_t(text_[content])] ? std::optional(line) : std::nullopt;
   }
+
+  bool mayBeginWith(char c) const { return isMark_[uint8_t(c)]; }
 
 private:
   llvm::StringRef text_;
@@ -99,6 +102,8 @@ public:
     }
     return digits ? std::optional(NumberedBlock{number, line}) : std::nullopt;
   }
+
+  bool mayBeginWith(char c) const { return mayBegin_[uint8_t(c)]; }
 
 private:
   /// A number of one to seven digits, read at once; none: it is another.
@@ -168,8 +173,14 @@ const std::vector<uint32_t> &FileScan::heads(const SourceFile &source, llvm::Str
     numbers_.emplace(); // which are asked for too, nearly always
     const HeadsOf headOf(source.text(), marks);
     const NumbersOf numberOf(source.text(), hasMainBlocks(marks_));
+    std::array<bool, 256> mayBegin; // by far the most lines begin with neither
+    for (size_t c = 0; c < mayBegin.size(); ++c)
+      mayBegin[c] = headOf.mayBeginWith(char(c)) || numberOf.mayBeginWith(char(c));
+    const char *const text = source.text().data();
     eachLine(source, source.textBegin(), source.text().size(), lineFeeds_,
              [&](uint32_t line, uint32_t content) {
+               if (!mayBegin[uint8_t(text[content])])
+                 return;
                if (const auto head = headOf(line, content))
                  heads_->push_back(*head);
                if (const auto number = numberOf(line, content))
