@@ -104,15 +104,19 @@ private:
     if (block.skip >= 0 ||
         (!findCode(dialect, block, {Action::CallProgram}) && !entersProgram(block)))
       return false;
+    constexpr unsigned most = 200; // blocks
     bool moves = false;
-    const bool known = eachCalledBlock(ctx.unit(), block, [&](const Block &called) {
-      moves |= called.skip < 0 && called.hasAny(dialect.axisWords | maskOf(letterAddress('S')));
-      return called.items.empty() && !called.hasLabel() &&
-             !findCode(dialect, called, {Action::CycleCancel, Action::Cycle}) &&
-             llvm::none_of(codesOf(dialect, called),
-                           [&](CodeIndex code) { return dialect.codes[code].group == tapping_; });
+    unsigned read = 0;
+    eachCalledBlock(ctx.unit(), block, [&](const Block &called) {
+      const bool plain =
+          ++read <= most && called.items.empty() && called.skip < 0 && !called.hasLabel() &&
+          !findCode(dialect, called, {Action::CycleCancel, Action::Cycle}) &&
+          llvm::none_of(codesOf(dialect, called),
+                        [&](CodeIndex code) { return dialect.codes[code].group == tapping_; });
+      moves = plain && called.hasAny(dialect.axisWords | maskOf(letterAddress('S')));
+      return plain && !moves;
     });
-    return known && moves;
+    return moves;
   }
 
   static bool tapsByMove(const CodeInfo &code) {

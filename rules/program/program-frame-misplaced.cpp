@@ -1,6 +1,7 @@
 // A program's head or end is in the wrong place, or more than once.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -11,6 +12,7 @@ public:
     if (llvm::any_of(to.dialect().codes,
                      [](const CodeInfo &c) { return c.action == Action::Reset; }))
       to.onAction({Action::Reset});
+    marksOpen_ = to.dialect().facts->program.tapeMarkEnds;
     if (to.flag("numberFirst"))
       to.onChange({EventKind::Block});
     hasHead_ = llvm::any_of(to.dialect().codes,
@@ -45,6 +47,8 @@ public:
       for (const ProgramInfo &program : file.index.programs())
         if (program.hasHeader())
           path(program, file, ctx);
+    if (marksOpen_)
+      markAfterComments(file, ctx);
     if (!hasHead_)
       return;
     for (const ProgramInfo &program : file.index.programs())
@@ -52,6 +56,33 @@ public:
   }
 
 private:
+  /// A `%` opens a text only where nothing but blank lines comes before it: after comments it is a
+  /// character that is no word.
+  static void markAfterComments(const FileSummary &file, RuleContext &ctx) {
+    const llvm::ArrayRef<uint32_t> marks = file.index.tapeMarks();
+    if (marks.empty())
+      return;
+    const llvm::StringRef text = file.source.text();
+    llvm::SmallVector<llvm::StringRef, 8> lines;
+    constexpr size_t most = 200; // lines of a head
+    text.take_front(marks.front()).split(lines, '\n', most);
+    bool comments = false;
+    for (const llvm::StringRef line : lines) {
+      const llvm::StringRef content = line.trim();
+      if (!content.empty() && !content.startswith("(") && !content.startswith(";"))
+        return;
+      comments |= !content.empty();
+    }
+    const size_t mark = text.find('%', marks.front());
+    if (!comments || mark == llvm::StringRef::npos)
+      return;
+    if (auto finding =
+            ctx.report(SourceRange{file.source.id(), uint32_t(mark), uint32_t(mark + 1)}))
+      finding.severity(Severity::Error)
+          .message("`%` comes after comments: only as the first line it opens a program, here "
+                   "the interpreter stops with an error");
+  }
+
   /// `G21 O1001`: the number opens no program.
   static void numberInside(RuleContext &ctx) {
     const Word *number = ctx.block().find('O');
@@ -131,6 +162,7 @@ private:
       finding.note(first, "the first one");
   }
 
+  bool marksOpen_ = false; ///< a `%` opens a text, and another one ends it
   bool hasHead_ = false;
 };
 

@@ -125,9 +125,10 @@ private:
   }
 
   const char *ofStatement(const SyntaxIssue &issue, const RuleContext &ctx) const {
-    if (isForeignIf(ctx, issue))
-      return "`{0}` is no statement that the control knows: its conditions are written "
-             "`o1 if [#1 GT 0]` .. `o1 endif`";
+    if (isForeignIf(ctx, issue)) // where one lacks its number, others of the text do so too
+      return tellsOfIf(ctx) ? "`{0}` is no statement that the control knows: its conditions are "
+                              "written `o1 if [#1 GT 0]` .. `o1 endif`"
+                            : nullptr;
     if (ctx.dialect().lexical.commaSeparates &&
         ctx.text(ctx.range(issue)).startswith_insensitive("STEP"))
       return "`{0}`: FOR counts by 1 and has no step; WHILE counts by any";
