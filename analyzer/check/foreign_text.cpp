@@ -166,9 +166,9 @@ std::string causeOf(const Fold &fold, const WrongLines &wrong) {
          " (" + other.marks + ")";
 }
 
-/// A line that bears a mark of a control that reads nearly the same is its command where the
-/// control was found out; a simulator's lines are no blocks for anybody.
-void dropItsCommands(const SourceFile &source, const TextOrigin &origin,
+/// A line that bears a mark of a control without a table is its command where the control was found
+/// out; a simulator's lines are no blocks for anybody.
+void dropItsCommands(const SourceFile &source, const TextOrigin &origin, bool alike,
                      std::vector<Finding> &findings) {
   const auto isUnread = [&](const Finding &finding) {
     return finding.range.file == source.id() && isUnreadable(finding);
@@ -176,7 +176,7 @@ void dropItsCommands(const SourceFile &source, const TextOrigin &origin,
   if (llvm::none_of(findings, isUnread))
     return;
   const OtherControl other = origin.otherControl();
-  if (!other.isAlike || !(origin.detected || other.isNoMachine))
+  if (other.isAlike != alike || !other.hasMark || !(origin.detected || other.isNoMachine))
     return;
   llvm::erase_if(findings, [&](const Finding &finding) {
     const uint32_t at = finding.range.begin;
@@ -184,10 +184,6 @@ void dropItsCommands(const SourceFile &source, const TextOrigin &origin,
                                                                   source.lines().lineEnd(at)));
   });
 }
-
-/// Categories that differ also where the language is nearly the same.
-constexpr llvm::StringLiteral ofLanguageItself[] = {"arc",  "compensation", "contour", "coordinate",
-                                                    "flow", "modal",        "program", "variable"};
 
 /// Of a text for a control without a table nothing is told that rests on codes of the one as which
 /// it is read: of one whose language is nearly the same, what programs, calls and modes are.
@@ -199,10 +195,8 @@ void dropJudgements(const SourceFile &source, const TextOrigin &origin,
   if (other.name.empty() || other.hasTable)
     return;
   llvm::erase_if(findings, [&](const Finding &finding) {
-    const llvm::StringRef category = allRules()[finding.rule].info.category;
-    if (finding.range.file != source.id() || category == "syntax" || category == "block")
-      return false;
-    return !other.isAlike || llvm::is_contained(ofLanguageItself, category);
+    return finding.range.file == source.id() &&
+           !other.isTold(allRules()[finding.rule].info.category);
   });
 }
 
@@ -212,7 +206,7 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
                      std::vector<Finding> &findings) {
   const FileId file = unit.source.id();
   const SourceFile &source = project.sources().get(file);
-  dropItsCommands(source, origin, findings);
+  dropItsCommands(source, origin, /*alike=*/true, findings);
   dropJudgements(source, origin, findings);
   const WrongLines wrong(source.lines(), file, findings);
   std::optional<Fold> fold;
@@ -227,7 +221,7 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
       wrong.unreadable.size() * partOfGuess >= origin.blocks)
     fold = Fold{{}, wrong.ofLanguage.size(), false, true};
   if (!fold)
-    return;
+    return dropItsCommands(source, origin, /*alike=*/false, findings);
   Finding one = toldForAll(*fold, wrong);
   const uint64_t blocks =
       fold->other.hasTable ? origin.blocks : std::max(origin.blocks, filledLines(source.text()));
@@ -236,6 +230,7 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   one.message =
       formatted("{0} of {1} blocks {2}{3}{4}", fold->lines, std::max(blocks, fold->lines),
                 causeOf(*fold, wrong), same ? "" : "; the first: ", same ? "" : one.message);
+  one.severity = std::min(one.severity, fold->other.highest);
   one.fix.reset();
   llvm::erase_if(findings, [&](const Finding &finding) {
     const bool goes = fold->all ? !(fold->other.hasTable && isWrongEverywhere(idOf(finding)))

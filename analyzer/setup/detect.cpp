@@ -90,9 +90,11 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   detector.sureScore_ = table.sureScore;
   detector.mostByHabits_ = table.mostByHabits;
   detector.endings_ = {table.extensions, table.looseExtensions};
-  detector.unsure_ = {table.unsure.ignore, table.unsure.highest.value_or(Severity::Error)};
+  detector.unsure_ = {table.unsure.ignore, table.unsure.highest.value_or(Severity::Error),
+                      table.unsure.toldOfOthers, table.unsure.differsInAlike};
   for (const auto &[name, marks] : table.otherControls)
-    detector.others_.push_back({name, marks.readAs, marks.forMachine, marks.alike, marks.marks});
+    detector.others_.push_back({name, marks.readAs, marks.forMachine, marks.alike,
+                                marks.highest.value_or(Severity::Error), marks.marks});
   std::vector<DialectSummary> dialects(own.begin(), own.end());
   for (const DialectSummary &known : shippedDialects())
     if (llvm::none_of(own, [&](const DialectSummary &mine) { return mine.id == known.id; }))
@@ -219,6 +221,7 @@ Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const
   found.otherMarks = other->reason();
   found.otherIsAlike = without.alike;
   found.otherIsNoMachine = !without.forMachine;
+  found.otherHighest = without.highest;
   const std::string what = found.other + ": " + found.otherMarks;
   found.reason = (without.forMachine ? "written for a control without a table (" + what + ")"
                                      : "no program of a machine (" + what + ")") +

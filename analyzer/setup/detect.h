@@ -16,12 +16,15 @@ struct Detection {
   std::string other = {}, otherMarks = {};
   bool otherIsAlike = false;     ///< its language is nearly that of the dialect
   bool otherIsNoMachine = false; ///< no machine runs such a text
+  Severity otherHighest = Severity::Error;
 };
 
 /// What is reported of a program whose control is not known for sure.
 struct UnsureReports {
   std::vector<std::string> ignore; ///< rules and categories that rest on facts of the control
   Severity highest = Severity::Error;
+  /// Categories, see `UnsureFile`.
+  std::vector<std::string> toldOfOthers, differsInAlike;
 };
 
 /// Endings of file names, in lower case, without the dot.
@@ -47,6 +50,11 @@ public:
   /// Endings that programs have in folders.
   const ProgramEndings &endings() const { return endings_; }
   const UnsureReports &unsure() const { return unsure_; }
+  /// Whether findings of a category say something of a text for a control without a table.
+  bool isTold(llvm::StringRef category, bool alike) const {
+    return llvm::is_contained(unsure_.toldOfOthers, category) ||
+           (alike && !llvm::is_contained(unsure_.differsInAlike, category));
+  }
 
 private:
   struct Mark {
@@ -74,6 +82,7 @@ private:
     std::string name;
     std::string readAs; ///< id of the nearest dialect; empty: the one that the text speaks for
     bool forMachine, alike;
+    Severity highest;
     std::vector<DetectMark> marks;
   };
   std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text) const;

@@ -478,8 +478,17 @@ OtherControl Session::otherControl(const FileSetup &setup, llvm::StringRef fileN
     const auto hasMark = [detector = *found, name = detection.other](llvm::StringRef line) {
       return detector->marks(name, line);
     };
-    return {detection.other,        detection.otherMarks,       false,
-            detection.otherIsAlike, detection.otherIsNoMachine, hasMark};
+    const auto isTold = [detector = *found, alike = detection.otherIsAlike](llvm::StringRef what) {
+      return detector->isTold(what, alike);
+    };
+    return {detection.other,
+            detection.otherMarks,
+            false,
+            detection.otherIsAlike,
+            detection.otherIsNoMachine,
+            detection.otherHighest,
+            isTold,
+            hasMark};
   }
   if (!detection.sure || areAlike(detection.dialect, *setup.dialect))
     return {};

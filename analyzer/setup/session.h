@@ -33,6 +33,9 @@ struct OtherControl {
   bool hasTable = false;
   bool isAlike = false;     ///< it has no table, but its language is nearly the one that is used
   bool isNoMachine = false; ///< no machine runs such a text
+  Severity highest = Severity::Error;
+  /// Whether findings of this category say something of its texts.
+  std::function<bool(llvm::StringRef category)> isTold = {};
   /// Whether a line is its own: with a mark of it.
   std::function<bool(llvm::StringRef)> hasMark = {};
 };

@@ -43,6 +43,9 @@ struct ProfileFile {
 struct UnsureFile {
   std::vector<std::string> ignore;
   std::optional<Severity> highest;
+  /// Categories, of texts for controls without a table: that are told of every one, and that are
+  /// not told even of one whose language is nearly the same.
+  std::vector<std::string> toldOfOthers, differsInAlike;
 };
 
 /// How the control of a program is found out.

@@ -126,6 +126,14 @@ constexpr Field unsureFields[] = {
                                R"(["tool"])"),
     field<&UnsureFile::highest>("highestSeverity", aSeverity, "no finding is more severe",
                                 "\"warning\""),
+    field<&UnsureFile::toldOfOthers>("toldOfOthers", texts,
+                                     "categories of what is told of a text for a control without "
+                                     "a table",
+                                     R"(["syntax"])"),
+    field<&UnsureFile::differsInAlike>("differsInAlike", texts,
+                                       "categories in which also controls differ whose language "
+                                       "is nearly the same",
+                                       R"(["flow"])"),
 };
 constexpr RecordOf<UnsureFile> unsureRecord{
     "unsure", "what is reported when the control is a guess", unsureFields};

@@ -339,6 +339,9 @@ constexpr Field otherControlFields[] = {
     flag<&OtherControlFile::forMachine>("forMachine", "a machine runs such texts"),
     flag<&OtherControlFile::alike>("alike",
                                    "its language is nearly that of the dialect that it is read as"),
+    field<&OtherControlFile::highest>("highestSeverity", name("severity", severityNames),
+                                      "no finding that tells of such a text is more severe",
+                                      "\"style\""),
     field<&OtherControlFile::marks>("marks", listOf(mark), "marks in a program's text"),
 };
 

@@ -20,6 +20,7 @@ struct OtherControlFile : ProgramMarks {
   std::string readAs; ///< id of the dialect that is nearest to it; empty: what the text looks like
   bool forMachine = true; ///< false: no machine runs such a text
   bool alike = false;     ///< its language is nearly that of the dialect that it is read as
+  std::optional<Severity> highest;
 };
 
 // dialect_records.cpp

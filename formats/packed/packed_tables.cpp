@@ -11,11 +11,11 @@ static_assert(std::endian::native == std::endian::little, "doubles are packed as
 /// It has a base, whose members are not its own.
 template <typename Visit>
 void visitMembers(const OtherControlFile &of, Visit visit) {
-  visit(of.marks, of.extensions, of.readAs, of.forMachine, of.alike);
+  visit(of.marks, of.extensions, of.readAs, of.forMachine, of.alike, of.highest);
 }
 template <typename Visit>
 void visitMembers(OtherControlFile &of, Visit visit) {
-  visit(of.marks, of.extensions, of.readAs, of.forMachine, of.alike);
+  visit(of.marks, of.extensions, of.readAs, of.forMachine, of.alike, of.highest);
 }
 
 llvm::Expected<PackedIndex> loadIndex() {

@@ -4,6 +4,8 @@
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 
+#include <bit>
+
 namespace ncvet {
 namespace {
 
@@ -36,9 +38,8 @@ public:
     const std::string &name = ctx.code(event).name;
     if (auto finding = here ? ctx.report(*here->word, event.certain)
                             : ctx.report(ctx.blockRange(), event.certain)) {
-      finding.message("`{0}` has neither {1} nor {2}, {3}: the control does not know the arc", name,
-                      shapeWords(ctx.dialect()), ctx.dialect().addressName(words.centreAddress[0]),
-                      ctx.dialect().addressName(words.centreAddress[1]));
+      finding.message("`{0}` has neither {1} nor {2}: the control does not know the arc", name,
+                      shapeWords(ctx.dialect()), centreWords(words, ctx));
       // Where a parameter makes a line of such a block, coordinates after an arc are meant as one.
       const bool lines = ctx.dialect().options.count("arcWithoutCentre") != 0;
       if (ctx.machine().option("arcWithoutCentre") == llvm::StringRef("alarm"))
@@ -101,6 +102,19 @@ private:
                    ctx.code(event).name)
           .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                 "`" + ctx.code(event).name + "` becomes active here");
+  }
+
+  /// The words of the centre: of the axes that the block names, where no plane was chosen.
+  static std::string centreWords(const ArcWords &words, const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    constexpr uint16_t all = 0b111; // X, Y, Z
+    const uint16_t axes = axesOf(dialect, ctx.block());
+    const GroupIndex plane = dialect.group(StandardGroup::Plane);
+    if (plane != noGroup && !ctx.after().isStated(plane) && std::popcount(axes) == 2 &&
+        (axes & ~all) == 0)
+      return axes & 1 ? (axes & 2 ? "I, J" : "I, K") : "J, K";
+    return std::string(dialect.addressName(words.centreAddress[0])) + ", " +
+           std::string(dialect.addressName(words.centreAddress[1]));
   }
 
   /// The words that give an arc without its centre: the radius, and the opening angle where there

@@ -223,6 +223,23 @@ private:
     return before.next(block) && block.hasAny(ctx.dialect().axisWords);
   }
 
+  /// Whether what is on was so when the tool was called: a called program that has switched it on
+  /// was called before, where no program is called between the tool and here.
+  static bool wasOnAt(const Origin &tool, const Origin &on, const RuleContext &ctx) {
+    if (on.file == tool.file && isIn(ctx, on, ctx.index().programAt(ctx.block().begin)))
+      return on.begin <= tool.begin;
+    constexpr uint32_t nearest = 2000; // bytes
+    const uint32_t here = ctx.block().begin;
+    if (tool.file != ctx.source().id() || ctx.callDepth() > 0 || tool.begin > here ||
+        here - tool.begin > nearest)
+      return false;
+    for (const Block &block : blocks(ctx.index(), tool.begin, here))
+      if (!block.items.empty() ||
+          findCode(ctx.dialect(), block, {Action::CallProgram, Action::CallLocal}))
+        return false;
+    return true;
+  }
+
   /// A cycle is called, or the first move with another tool made, under what was on before.
   void early(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
@@ -248,8 +265,8 @@ private:
     } else if (!event.axes || event.inMachineCoordinates() ||
                event.motion == MotionKind::Reference || !before.must(Fact::ToolCalled) ||
                before.may(Fact::MovedSinceTool) || !ctx.block().hasAny(ctx.dialect().axisWords) ||
-               !on.known() || !tool.known() || on.file != tool.file || on.begin > tool.begin ||
-               ctx.find({Action::Incremental})) {
+               !on.known() || !tool.known() || ctx.find({Action::Incremental}) ||
+               !wasOnAt(tool, on, ctx)) {
       return;
     }
     const CodeInfo *code = before.activeCode(ctx.dialect(), StandardGroup::Distance);

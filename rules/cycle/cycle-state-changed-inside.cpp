@@ -69,7 +69,7 @@ public:
     if (families && (code.family == cycle->family || code.group != cycles_))
       return;
     // That a block that moves nowhere runs the cycle weighs more, and is a rule of its own.
-    if (ctx.dialect().emptyBlocksRun && code.action != Action::Cycle &&
+    if (ctx.dialect().emptyBlocksRun && code.action != Action::Cycle && !shifts(code) &&
         !axesOf(ctx.dialect(), ctx.block()))
       return;
     // What states the plane once more changes nothing.

@@ -4,6 +4,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/geometry/point.h"
@@ -18,7 +19,11 @@ constexpr unsigned lookahead = 12;
 /// Holes that are read back to know how far the holes of a list lie apart.
 constexpr unsigned lookback = 200;
 
-class CycleUnintendedExecution final : public Rule {
+struct CycleUnintendedExecutionMemory {
+  OncePerCause once; ///< a call that a called program has left on
+};
+
+class CycleUnintendedExecution final : public StatefulRule<CycleUnintendedExecutionMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
@@ -61,6 +66,8 @@ public:
     for (const CodeUse &use : ctx.codes())
       if (ctx.code(use).action == Action::Cycle)
         return;
+    if (waits_ && makesHole(code.cycle) && isLeftOn(ctx))
+      return report(event, code, ctx, true, "after the program that has called it");
     if (makesHole(code.cycle) && waits_ &&
         !(event.axes & ~(1u << unsigned(toolAxis(ctx.dialect(), ctx.after())))))
       sameBlock(event, code, ctx);
@@ -75,6 +82,18 @@ public:
   }
 
 private:
+  /// Whether this is the first position of the main program after a program that was called, has
+  /// begun the modal call, and has gone to its own places.
+  bool isLeftOn(RuleContext &ctx) const {
+    const Origin &begun = ctx.before().origin.of(StatePart::Cycle);
+    if (ctx.callDepth() > 0 || !begun.known())
+      return false;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const bool here = begun.file == ctx.source().id() && begun.begin >= program.begin &&
+                      begun.begin < program.end;
+    return !here && memory().once.speaks(begun, ctx) && ctx.before().must(Fact::CycleRan);
+  }
+
   /// A program is called between the holes: where it moves at feed it is no list of places.
   static void call(RuleContext &ctx) {
     const MachineState &before = ctx.before();

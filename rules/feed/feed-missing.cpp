@@ -63,6 +63,8 @@ public:
     if (!memory().once.speaks(ctx.after().origin.of(StatePart::Feed), ctx) ||
         (hasBuilderCodes(ctx) && namesNoFeed(ctx)))
       return;
+    if (movesByName(ctx))
+      return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
     auto finding = ctx.report(event, certain);
     if (!finding)
@@ -74,6 +76,16 @@ public:
   }
 
 private:
+  /// `DEF INT A`, `A=5`: whether that is a value or a move nobody knows.
+  static bool movesByName(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    return llvm::any_of(ctx.block().words, [&](const Word &word) {
+      const llvm::StringRef letter = ctx.text(word).take_front(1);
+      const bool isAxis = ctx.dialect().axisWords & maskOf(word.address);
+      return isAxis && ctx.index().definition(program, letter);
+    });
+  }
+
   /// What runs: at the places of a pattern that is the cycle in force.
   static const CodeInfo &cutting(const Event &event, const RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);

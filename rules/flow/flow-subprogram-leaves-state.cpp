@@ -231,7 +231,17 @@ private:
           (GroupIndex(i) == ctx.dialect().group(StandardGroup::Distance) &&
            saysEachTime(origin.range(), ctx) && !isReliedOn(changes, ctx)))
         continue;
-      if (auto finding = ctx.report(origin.range()))
+      const bool distances = GroupIndex(i) == ctx.dialect().group(StandardGroup::Distance) &&
+                             ctx.after().isActive(ctx.dialect(), StandardGroup::Distance,
+                                                  {Action::Incremental}) == Truth::Yes;
+      auto finding = ctx.report(origin.range());
+      if (finding && distances && isReliedOn(changes, ctx))
+        finding.severity(Severity::Warning)
+            .message("the {0} is set here and not set back: the caller's coordinates become "
+                     "distances",
+                     ctx.dialect().groups[i].title)
+            .note(ctx.blockRange(), "called here");
+      else if (finding)
         finding
             .message("the {0} is set here and not set back: the caller goes on with it",
                      ctx.dialect().groups[i].title)

@@ -19,6 +19,7 @@ public:
     to.onAction({Action::ProgramHead, Action::Reset});
     fileIsProgram_ = to.dialect().facts->program.fileIsProgram;
     tapeMarkEnds_ = to.dialect().facts->program.tapeMarkEnds;
+    fragments_ = to.flag("fragments");
     bool rewinds = false;
     for (const CodeInfo &code : to.dialect().codes) {
       // Of several the first one is the usual one: others end part of a job.
@@ -60,17 +61,28 @@ public:
     auto finding = ctx.report(where, event.certain);
     if (!finding)
       return;
-    if (fileIsProgram_ && onlySets(program, ctx))
-      finding.severity(Severity::Style);
-    // Without a number it may be a part of a program that somebody joins.
-    // After a stop somebody may reset instead of going on.
-    if ((!fileIsProgram_ && !program.hasHeader()) || stopsAt(where, ctx))
-      finding.severity(Severity::Warning);
+    finding.severity(severityOf(program, where, ctx));
     finding.message("the program runs out after this block: no `{0}` ends it", end_);
     endAfter(where, finding, ctx);
   }
 
 private:
+  /// None: that of the control.
+  std::optional<Severity> severityOf(const ProgramInfo &program, const SourceRange &last,
+                                     const RuleContext &ctx) const {
+    // Without a number it may be a part of a program that somebody joins. One that has only
+    // positioned leaves nothing half done. After a stop somebody may reset instead of going on.
+    const bool isPart = !fileIsProgram_ && !program.hasHeader();
+    if (isPart &&
+        (!ctx.after().may(Fact::Cut) || (fragments_ && hasNone(lettersMask("MST"), program, ctx))))
+      return Severity::Style;
+    if (isPart || stopsAt(last, ctx))
+      return Severity::Warning;
+    if (fileIsProgram_ && hasNone(ctx.dialect().axisWords, program, ctx))
+      return Severity::Style;
+    return std::nullopt;
+  }
+
   /// A file with a subprogram of its own name is called, and what is beside that never runs.
   static bool isNamedAsItsFile(const ProgramInfo &program, const RuleContext &ctx) {
     const std::string shown = ctx.source().display();
@@ -86,12 +98,11 @@ private:
     return findCode(ctx.dialect(), block, {Action::ProgramStop}) != nullptr;
   }
 
-  /// No block that always runs has a word of an axis: it is read before a program, and gives
-  /// values, or is the head that others are pasted to.
-  static bool onlySets(const ProgramInfo &program, const RuleContext &ctx) {
-    const AddressMask acts = ctx.dialect().axisWords;
-    for (const Block &block : blocksWith(ctx.index(), program, acts))
-      if (block.skip < 0 && block.hasAny(acts))
+  /// No block that always runs has one of these words. Without those of axes a text gives values,
+  /// or is the head that others are pasted to.
+  static bool hasNone(AddressMask words, const ProgramInfo &program, const RuleContext &ctx) {
+    for (const Block &block : blocksWith(ctx.index(), program, words))
+      if (block.skip < 0 && block.hasAny(words))
         return false;
     return true;
   }
@@ -121,6 +132,7 @@ private:
   bool hasHead_ = false;       ///< the control has a word that opens a program
   bool fileIsProgram_ = false; ///< a text without a number is one all the same
   bool tapeMarkEnds_ = false;  ///< a second `%` ends a program too
+  bool fragments_ = false;     ///< see the page
 };
 
 } // namespace

@@ -4,6 +4,8 @@
 #include "gtest/gtest.h"
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 namespace ncvet::test {
 namespace {
 
@@ -83,6 +85,18 @@ TEST(DialectsCommand, ChecksATableOfOnesOwn) {
   EXPECT_THAT(bad.err, HasSubstr("bad.json:3: cods: unknown key"));
   EXPECT_EQ(2, shop.run({"dialects", "--check", "marks.json"}).exitCode);
   EXPECT_EQ(2, shop.run({"dialects", "--check", "none.json"}).exitCode);
+}
+
+TEST(DialectsCommand, TakesEachOfTheBuiltInTables) {
+  Shop shop;
+  unsigned tables = 0;
+  const auto folder = std::filesystem::path(NCVET_SOURCE_DIR) / "rulesets" / "dialects";
+  for (const auto &entry : std::filesystem::directory_iterator(folder)) {
+    const ProcessResult result = shop.run({"dialects", "--check", entry.path().string()});
+    EXPECT_EQ(0, result.exitCode) << result.err;
+    ++tables;
+  }
+  EXPECT_LT(10u, tables);
 }
 
 TEST(CommandLine, HelpAndVersionAreOnStandardOutput) {

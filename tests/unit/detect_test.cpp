@@ -238,6 +238,22 @@ TEST(Detection, WhatIsLeftOutOfAGuessIsNamedRight) {
   EXPECT_FALSE(unsure.ignore.empty());
   for (const std::string &name : unsure.ignore)
     EXPECT_TRUE(bool(rulesNamed(name))) << name;
+  for (const auto *categories : {&unsure.toldOfOthers, &unsure.differsInAlike})
+    for (const std::string &name : *categories)
+      EXPECT_TRUE(bool(rulesNamed(name))) << name;
+  EXPECT_TRUE(detector().isTold("syntax", false));
+  EXPECT_FALSE(detector().isTold("feed", false));
+  EXPECT_TRUE(detector().isTold("feed", true));
+  EXPECT_FALSE(detector().isTold("flow", true));
+}
+
+TEST(Detection, ALatheWithTwoSpindlesThatIsNamedIsAFanuc) {
+  EXPECT_EQ("fanuc-lathe",
+            detector()
+                .detect("a.nc", "%\nO1001\n(MACHINE PUMA)\nG0 G18 G20 G40 G54 G80 G99 M110\n"
+                                "G0 G28 G53 B0.\nG28 U0. V0.\nG28 W0.\nG50 S4000\nT0101\nM8\n"
+                                "G97 S441 M3 P11\nG0 Z0.0466\nX1.04 Y0.\nG96 S120 M3 P11\nM30\n%\n")
+                .dialect);
 }
 
 TEST(LooksLikeProgram, BlocksDoAndProseDoesNot) {

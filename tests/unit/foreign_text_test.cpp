@@ -149,6 +149,37 @@ TEST(ForeignText, ATestOfColoursIsToldOnce) {
   ASSERT_EQ(1u, findings.size());
   EXPECT_NE(std::string::npos, findings[0].finding.message.find("no program of a machine"))
       << findings[0].finding.message;
+  EXPECT_EQ(Severity::Style, findings[0].finding.severity);
+}
+
+TEST(ForeignText, ACommandOfAControlThatWasFoundOutHasItsOwnOperands) {
+  std::string text = "N201 R101=1\nN220 @136 R101 K50 K300\n";
+  for (int i = 0; i < 30; ++i)
+    text += "N225 G91 G1 X20 Y0 F500\n";
+  EXPECT_EQ(0u, check("auto", text + "N240 R101=R101+1\nN250 @100 K-220\nN300 M30\n").size());
+}
+
+TEST(ForeignText, WordsOfAptInAProgramAreToldOnce) {
+  const auto findings =
+      check("sinumerik", "G55\nDIAMOF\n; part operation\nThe tool is CUTTER/ 0.8\n"
+                         "Magazine slot number 1,1,1\nG95 G1 F0.1\nG96 S500\nM4\n"
+                         "G90 X17 Z2\nZ0\nX-0.4\nX17 Z2\nEnd of program.\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_NE(std::string::npos, findings[0].finding.message.find("APT"))
+      << findings[0].finding.message;
+  EXPECT_EQ(Severity::Error, findings[0].finding.severity);
+}
+
+TEST(ForeignText, APieceOfAProgramLacksItsEndAsAStyle) {
+  const auto severityOfEnd = [](const std::string &text) {
+    std::optional<Severity> severity;
+    for (const CheckedFinding &found : check("sinumerik", text))
+      if (allRules()[found.finding.rule].info.id == "program-end-missing")
+        severity = found.finding.severity;
+    return severity;
+  };
+  EXPECT_EQ(Severity::Style, severityOfEnd("G0 X0 Y0\nR1=5\nG1 X=R1 F100\n"));
+  EXPECT_EQ(Severity::Warning, severityOfEnd("T1 M6\nS1000 M3\nG0 X0 Y0\nG1 X5 F100\n"));
 }
 
 TEST(ForeignText, ATextOfNoMachineIsCalledSo) {

@@ -22,6 +22,16 @@ TEST_F(SinumerikReading, WordsMayFollowEachOtherWithoutBlanks) {
   EXPECT_TRUE(block.issues.empty());
 }
 
+TEST_F(SinumerikReading, AWideColonEndsALabelAndIsTold) {
+  for (const char *colon : {"\xEF\xBC\x9A", "\xA3\xBA", "\xEF\xBF\xBD\xEF\xBF\xBD"}) {
+    const Block block = blockOf(("ERROR1" + std::string(colon) + "MSG(\"stopped\")\n").c_str());
+    EXPECT_TRUE(block.hasLabel());
+    ASSERT_EQ(block.issues.size(), 1u);
+    EXPECT_EQ(block.issues[0].kind, SyntaxIssueKind::InvalidCharacter);
+  }
+  EXPECT_FALSE(blockOf("R1=5 ;ERROR1\xEF\xBC\x9A\n").hasLabel());
+}
+
 TEST_F(SinumerikReading, AnAddressOfSeveralLettersTakesAnEqualsSign) {
   const Block block = blockOf("G2 X10 Y=AC(5) CR=-7.5 I=IC(R1+2) AP=30\n");
   ASSERT_EQ(block.words.size(), 6u);

@@ -16,8 +16,10 @@ unsigned typographicQuote(const char *at, const char *end) {
 }
 
 /// `(CANCEL TRANSFORMATION)`: words and blanks between the brackets, as in another control's
-/// remark.
-bool looksLikeRemark(const char *at, const char *end) {
+/// remark. After a code that takes nothing, `(CANCEL)` is one as well.
+bool looksLikeRemark(const char *at, const char *end, const CodeInfo &code) {
+  constexpr ptrdiff_t longWord = 4;
+  const char *const begin = at + 1;
   unsigned words = 0;
   bool inWord = false;
   for (++at; at < end && *at != ')'; ++at) {
@@ -26,7 +28,10 @@ bool looksLikeRemark(const char *at, const char *end) {
     words += llvm::isAlpha(*at) && !inWord;
     inWord = *at != ' ';
   }
-  return words > 1 && at < end;
+  const bool takesNothing = code.group != noGroup && code.words.empty();
+  return at < end &&
+         (words > 1 || (takesNothing && at - begin >= longWord &&
+                        std::all_of(begin, at, [](char c) { return llvm::isAlpha(c); })));
 }
 } // namespace
 
@@ -53,7 +58,8 @@ void SinumerikScanner::scanCode(CodeIndex code, llvm::StringRef name) {
   word.mantissa = code;
   addWord(word, name.begin());
   const char *const after = afterBlanks(at_);
-  if (after == end_ || *after != '(' || (after > at_ && looksLikeRemark(after, end_)))
+  if (after == end_ || *after != '(' ||
+      (after > at_ && looksLikeRemark(after, end_, dialect_.codes[code])))
     return;
   at_ = after;
   Item item = itemAt(ItemKind::Instruction, name.begin());

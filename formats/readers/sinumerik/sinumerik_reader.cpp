@@ -154,16 +154,36 @@ void SinumerikScanner::skipUnit() {
   at_ = rest.data() + next;
 }
 
-/// `NAME:` before everything but the number.
+/// The wide colon of Chinese texts, in UTF-8 and in GBK, and what remains of it where the text was
+/// converted once more. Each begins with one of two bytes.
+static constexpr llvm::StringLiteral wideColons[] = {"\xEF\xBC\x9A", "\xA3\xBA",
+                                                     "\xEF\xBF\xBD\xEF\xBF\xBD"};
+
+/// The wide colon at the head of `text`; empty: there is none.
+static llvm::StringRef wideColonAt(llvm::StringRef text) {
+  for (const llvm::StringLiteral &colon : wideColons)
+    if (text.startswith(colon))
+      return text.take_front(colon.size());
+  return {};
+}
+
+/// `NAME:` before everything but the number. That of a wide colon is meant as one.
 bool SinumerikScanner::scanLabel() {
   if (!startsBlock() || block_.hasLabel())
     return false;
   const llvm::StringRef name = identifier();
-  if (name.end() == end_ || *name.end() != ':')
+  if (name.end() == end_)
+    return false;
+  const llvm::StringRef colon =
+      *name.end() == ':' ? llvm::StringRef(name.end(), 1)
+                         : wideColonAt(llvm::StringRef(name.end(), size_t(end_ - name.end())));
+  if (colon.empty())
     return false;
   block_.labelBegin = offset(name.begin());
   block_.labelEnd = offset(name.end());
-  at_ = name.end() + 1;
+  at_ = colon.end();
+  if (colon.size() > 1)
+    issue(SyntaxIssueKind::InvalidCharacter, colon.begin(), colon.end());
   if (sinumerikKeyword(name) != SinumerikKeyword::None)
     issue(SyntaxIssueKind::BadName, name.begin(), name.end());
   return true;
@@ -345,6 +365,9 @@ bool SinumerikReader::readAlike(uint32_t offset, AddressMask free, Block &block)
 bool SinumerikReader::mayHoldLabels(uint32_t begin, uint32_t end) const {
   constexpr size_t longest = 256; // bytes of a line up to its label; of a longer one it is not told
   const llvm::StringRef text = text_.slice(begin, end);
+  for (const llvm::StringLiteral &colon : wideColons)
+    if (text.contains(colon[0]) && text.contains(colon))
+      return true;
   for (size_t colon = text.find(':'); colon != llvm::StringRef::npos;
        colon = text.find(':', colon + 1)) {
     const llvm::StringRef before = text.slice(colon > longest ? colon - longest : 0, colon);

@@ -57,7 +57,7 @@
      (font-lock-preprocessor-face "%" nil "[0-9A-Za-z_]" nil)
      (font-lock-constant-face "N[0-9]*" "[A-Za-z0-9_$]" nil nil)
      (font-lock-builtin-face "\\(?:C\\(?:ALLCYCLE\\|CW\\(?:_G1[789]\\)?\\|W\\(?:_G1[789]\\)?\\)\\|ENDPROGRAM\\|PROGRAM\\|TRANSLATE\\)" "[A-Za-z_$]" "[A-Za-z0-9_]" nil)
-     (font-lock-builtin-face "G0*\\(?:0\\|1[789]?\\|2\\|3\\|4[012]\\|5[34]\\|7[346]\\|8[0123456789]\\|9[0145]\\)" "[A-Za-z_$]" "[0-9.]" nil)
+     (font-lock-builtin-face "G0*\\(?:0\\|1[789]?\\|2\\|3\\|4[012]\\|5[3456789]\\|7[346]\\|8[0123456789]\\|9[0145]\\)" "[A-Za-z_$]" "[0-9.]" nil)
      (default "G[0-9]+\\(?:\\.[0-9]+\\)?" "[A-Za-z_$]" nil nil)
      (font-lock-preprocessor-face "M0*\\(?:0\\|30?\\|4\\|5\\|6\\|8\\|9\\)" "[A-Za-z_$]" "[0-9.]" nil)
      (default "M[0-9]+\\(?:\\.[0-9]+\\)?" "[A-Za-z_$]" nil nil)

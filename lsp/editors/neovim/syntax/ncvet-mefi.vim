@@ -13,7 +13,7 @@ syn match ncvetVariable /\v[A-Za-z_$]@<!R[0-9]+[A-Za-z_]@!/
 syn match ncvetUnknown /\v[A-Za-z_$]@<!M[0-9]+%(\.[0-9]+)?/
 syn match ncvetMiscellaneous /\v[A-Za-z_$]@<!M0*%(0|30?|4|5|6|8|9)[0-9.]@!/
 syn match ncvetUnknown /\v[A-Za-z_$]@<!G[0-9]+%(\.[0-9]+)?/
-syn match ncvetCode /\v[A-Za-z_$]@<!G0*%(0|1[789]?|2|3|4[012]|5[34]|7[346]|8[0123456789]|9[0145])[0-9.]@!/
+syn match ncvetCode /\v[A-Za-z_$]@<!G0*%(0|1[789]?|2|3|4[012]|5[3456789]|7[346]|8[0123456789]|9[0145])[0-9.]@!/
 syn match ncvetCode /\v[A-Za-z_$]@<!%(C%(ALLCYCLE|CW%(_G1[789])?|W%(_G1[789])?)|ENDPROGRAM|PROGRAM|TRANSLATE)[A-Za-z0-9_]@!/
 syn match ncvetNumberOfBlock /\v[A-Za-z0-9_$]@<!N[0-9]*/
 syn match ncvetTape /\v\%[0-9A-Za-z_]@!/
