@@ -1,4 +1,5 @@
 // `explain`, `rules`, `dialects`, help and version through the real binary.
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include "gtest/gtest.h"
@@ -90,7 +91,7 @@ TEST(DialectsCommand, ChecksATableOfOnesOwn) {
 TEST(DialectsCommand, TakesEachOfTheBuiltInTables) {
   Shop shop;
   unsigned tables = 0;
-  const auto folder = std::filesystem::path(NCVET_SOURCE_DIR) / "rulesets" / "dialects";
+  const auto folder = std::filesystem::path(places::sourceFolder()) / "rulesets" / "dialects";
   for (const auto &entry : std::filesystem::directory_iterator(folder)) {
     const ProcessResult result = shop.run({"dialects", "--check", entry.path().string()});
     EXPECT_EQ(0, result.exitCode) << result.err;
