@@ -13,7 +13,7 @@ namespace {
 constexpr uint16_t alongX = 1u << unsigned(Axis::X), alongZ = 1u << unsigned(Axis::Z);
 
 /// Words of motion and of the feed alone: nothing that makes the numbers mean something else.
-bool isPlain(const Dialect &dialect, const Block &block) {
+bool onlyMovesAndFeeds(const Dialect &dialect, const Block &block) {
   if (!block.items.empty() || block.skip >= 0)
     return false;
   return llvm::all_of(block.words, [&](const Word &word) {
@@ -33,12 +33,12 @@ bool isPlain(const Dialect &dialect, const Block &block) {
 std::optional<TurnedPass> turnedBefore(const RuleContext &ctx) {
   const Dialect &dialect = ctx.dialect();
   Block retract;
-  if (!readPrevious(ctx, retract) || !isPlain(dialect, retract) ||
+  if (!readPrevious(ctx, retract) || !onlyMovesAndFeeds(dialect, retract) ||
       axesOf(dialect, retract) != alongX)
     return std::nullopt;
   const bool rapid = findCode(dialect, retract, {Action::Rapid});
   Block cut = retract;
-  if (!readBack(ctx, cut) || !isPlain(dialect, cut) || axesOf(dialect, cut) != alongZ ||
+  if (!readBack(ctx, cut) || !onlyMovesAndFeeds(dialect, cut) || axesOf(dialect, cut) != alongZ ||
       findCode(dialect, cut, {Action::Rapid}))
     return std::nullopt;
   Block before = cut;
@@ -46,7 +46,7 @@ std::optional<TurnedPass> turnedBefore(const RuleContext &ctx) {
   std::optional<double> x, z;
   constexpr unsigned furthest = 4; // blocks
   for (unsigned i = 0; i < furthest && !(x && z) && readBack(ctx, before); ++i) {
-    if (!isPlain(dialect, before))
+    if (!onlyMovesAndFeeds(dialect, before))
       return std::nullopt;
     feeds |= findCode(dialect, before, {Action::Linear}) != nullptr;
     if (const Word *word = before.find(letterAddress('X')); word && !x)
@@ -67,7 +67,8 @@ std::optional<TurnedPass> turnedBefore(const RuleContext &ctx) {
 static bool turnsNext(const RuleContext &ctx, double from) {
   BlocksAhead ahead(ctx);
   Block next;
-  if (!ahead.next(next) || !isPlain(ctx.dialect(), next) || axesOf(ctx.dialect(), next) != alongZ)
+  if (!ahead.next(next) || !onlyMovesAndFeeds(ctx.dialect(), next) ||
+      axesOf(ctx.dialect(), next) != alongZ)
     return false;
   return findCode(ctx.dialect(), next, {Action::Linear}) &&
          next.find(letterAddress('Z'))->value() < from;
