@@ -517,7 +517,8 @@ size_t toldTogether(const Sample &sample, unsigned share) {
   withProgram(
       sample.dialect, {{"part.nc", sample.text}}, "", [&](Project &project, FileUnit &unit) {
         const std::string whole = diaryOf(project, unit, true);
-        Engine engine(project, unit, {}, nullptr);
+        const AnalysisLimits limits; // the engine only looks at it
+        Engine engine(project, unit, limits, nullptr);
         RowDiary diary(share);
         engine.listen(diary);
         engine.run();
