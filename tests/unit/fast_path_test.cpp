@@ -10,6 +10,7 @@
 #include "tests/support/rule_pages.h"
 #include "tests/support/thorough.h"
 
+#include <optional>
 #include <random>
 
 namespace ncvet::test {
@@ -413,7 +414,9 @@ std::string diaryOf(Project &project, FileUnit &unit, bool inFull) {
          std::to_string(engine.isComplete());
 }
 
-std::string findingsOf(Project &project, FileUnit &unit, bool inFull) {
+/// Nothing where the budget cuts the program short: what rules cost counts, too, and where they are
+/// told all of it is spent some blocks earlier.
+std::optional<std::string> findingsOf(Project &project, FileUnit &unit, bool inFull) {
   AnalysisLimits limits;
   limits.repeatedBlocks = 10'000; // loops without an end are no use here
   RuleSelection all = RuleSelection::defaults(*unit.dialect);
@@ -425,6 +428,8 @@ std::string findingsOf(Project &project, FileUnit &unit, bool inFull) {
     host.tellInFull();
   engine.listen(host);
   engine.run();
+  if (!engine.isComplete())
+    return std::nullopt;
   std::string text;
   for (const Finding &finding : host.take(project.sources())) {
     text += std::to_string(finding.range.begin) + "-" + std::to_string(finding.range.end) + " " +
@@ -455,10 +460,12 @@ void compare(const Sample &sample) {
                 const std::string brief = diaryOf(project, unit, false);
                 EXPECT_TRUE(whole == brief) << sample.dialect << " " << sample.name << "\n"
                                             << difference(whole, brief);
-                const std::string all = findingsOf(project, unit, true);
-                const std::string found = findingsOf(project, unit, false);
-                EXPECT_TRUE(all == found) << sample.dialect << " " << sample.name << "\n"
-                                          << difference(all, found);
+                const std::optional all = findingsOf(project, unit, true);
+                const std::optional found = findingsOf(project, unit, false);
+                if (all && found) {
+                  EXPECT_TRUE(*all == *found) << sample.dialect << " " << sample.name << "\n"
+                                              << difference(*all, *found);
+                }
               });
 }
 
